@@ -1,0 +1,1 @@
+"""What is learnt from and tested on: sequences and their split."""

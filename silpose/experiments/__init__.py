@@ -1,0 +1,1 @@
+"""Experiments: one file each, a short story that calls the rooms in order."""

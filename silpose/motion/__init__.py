@@ -1,0 +1,1 @@
+"""Where poses come from: a statistical walker, or motion capture files."""

@@ -1,0 +1,1 @@
+"""Recordings: the only room that knows Rerun."""

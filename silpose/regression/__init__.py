@@ -1,0 +1,1 @@
+"""From descriptors z to poses x: bases, ridge and relevance vector regression."""

@@ -1,0 +1,1 @@
+"""Where masks come from: a posed body before a camera, or image files."""
