@@ -1,1 +1,7 @@
 """What is learnt from and tested on: sequences and their split."""
+
+from silpose.dataset.same_performer import SamePerformer, Split
+from silpose.dataset.sequence import Dataset, Sequence, poses
+from silpose.dataset.synthesis import photograph
+
+__all__ = ["Dataset", "SamePerformer", "Sequence", "Split", "photograph", "poses"]

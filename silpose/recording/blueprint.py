@@ -1,0 +1,121 @@
+"""Layouts of the viewer, one per kind of recording."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import rerun as rr
+import rerun.blueprint as rrb
+
+from silpose.recording import entities
+
+
+def single_image(shown: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
+    """Lay out what a single-image regressor sees, answers, and how far off it is.
+
+    Parameters
+    ----------
+    shown : sequence of str
+        Methods whose errors are drawn.
+    frames_per_second : float
+    """
+    seen = rrb.Vertical(
+        _mask_view(),
+        _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
+        _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
+        row_shares=[2.2, 1, 1],
+    )
+    answered = rrb.Vertical(
+        _body_view("true (blue) and estimated (orange) pose; left side light, right side dark"),
+        _series("heading, degrees", [entities.TRUE_HEADING, entities.ESTIMATED_HEADING]),
+        _series(
+            "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
+        ),
+        _series("mean angular error, degrees", [f"{entities.ERROR}/{m}" for m in shown]),
+        row_shares=[3.4, 1, 0.7, 1],
+    )
+    return _layout([seen, answered, _texts()], [1, 1.9, 0.9], frames_per_second)
+
+
+def predict(frames_per_second: float) -> rrb.Blueprint:
+    """Lay out poses estimated from masks whose truth nobody knows."""
+    seen = rrb.Vertical(
+        _mask_view(),
+        _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
+        _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
+        row_shares=[2.2, 1, 1],
+    )
+    answered = rrb.Vertical(
+        _body_view("estimated pose; left side light, right side dark"),
+        _series("heading, degrees", [entities.ESTIMATED_HEADING]),
+        _series(
+            "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
+        ),
+        row_shares=[3.4, 1, 0.7],
+    )
+    return _layout([seen, answered, _texts()], [1, 1.9, 0.8], frames_per_second)
+
+
+def _layout(
+    columns: Sequence[rrb.Container | rrb.View], shares: Sequence[float], frames_per_second: float
+) -> rrb.Blueprint:
+    return rrb.Blueprint(
+        rrb.Horizontal(*columns, column_shares=shares),
+        rrb.BlueprintPanel(state="collapsed"),
+        rrb.SelectionPanel(state="collapsed"),
+        rrb.TimePanel(
+            state="collapsed", timeline="frame", fps=frames_per_second, play_state="paused"
+        ),
+        auto_layout=False,
+        auto_views=False,
+    )
+
+
+def _mask_view() -> rrb.Spatial2DView:
+    return rrb.Spatial2DView(
+        origin=entities.CAMERA,
+        contents=[entities.MASK, entities.EDGE_POINTS],
+        name="silhouette: mask and edge points",
+    )
+
+
+def _body_view(name: str) -> rrb.Spatial3DView:
+    return rrb.Spatial3DView(
+        origin="/",
+        contents=[entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON],
+        name=name,
+        background=[22, 24, 28],
+        line_grid=rrb.LineGrid3D(
+            spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80]
+        ),
+        eye_controls=rrb.EyeControls3D(
+            kind=rrb.Eye3DKind.Orbital,
+            position=[1.5, 1.5, 2.6],
+            look_target=[0.0, 0.9, 0.0],
+            eye_up=[0, 1, 0],
+        ),
+    )
+
+
+def _bars(entity: str, name: str) -> rrb.BarChartView:
+    return rrb.BarChartView(origin=entity, name=name, plot_legend=rrb.PlotLegend(visible=False))
+
+
+def _series(
+    name: str, contents: Sequence[str], span: tuple[float, float] | None = None
+) -> rrb.TimeSeriesView:
+    return rrb.TimeSeriesView(
+        origin="/",
+        contents=list(contents),
+        name=name,
+        plot_legend=rrb.Corner2D.LeftTop,
+        axis_y=rrb.ScalarAxis(range=span) if span else None,
+    )
+
+
+def _texts() -> rrb.Container:
+    return rrb.Vertical(
+        rrb.TextDocumentView(origin=entities.METRICS, name="results"),
+        rrb.TextDocumentView(origin=entities.SETTINGS, name="settings"),
+        row_shares=[1, 1.3],
+    )

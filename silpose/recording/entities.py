@@ -1,0 +1,22 @@
+"""Every entity path of a recording, under the word of the room it comes from."""
+
+TRUE_SKELETON = "/motion/skeleton"
+TRUE_HEADING = "/motion/heading"
+
+CAMERA = "/silhouette/camera"
+MASK = "/silhouette/camera/mask"
+EDGE_POINTS = "/silhouette/camera/edge_points"
+
+SEQUENCE = "/dataset/sequence"
+
+HISTOGRAM = "/descriptor/histogram"
+
+ESTIMATED_SKELETON = "/regression/skeleton"
+ESTIMATED_HEADING = "/regression/heading"
+HEADING_NORM = "/regression/heading_norm"
+ACTIVATIONS = "/regression/activations"
+
+ERROR = "/evaluation/error"  # one entity below it per method
+
+SETTINGS = "/run/settings"
+METRICS = "/run/metrics"

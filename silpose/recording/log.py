@@ -1,0 +1,161 @@
+"""Put arrays into a recording: images frame by frame, numbers as whole columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+import rerun as rr
+from numpy.typing import NDArray
+
+from silpose.recording import entities, palette
+from silpose.silhouette import Camera
+
+Array = NDArray[np.float64]
+
+
+class Track:
+    """Logs what belongs to the frames of one sequence.
+
+    Parameters
+    ----------
+    recording : rerun.RecordingStream
+    frames : int
+    frames_per_second : float
+    """
+
+    def __init__(
+        self, recording: rr.RecordingStream, frames: int, frames_per_second: float
+    ) -> None:
+        self._recording = recording
+        self._frames = frames
+        self._times = np.arange(frames) / frames_per_second
+        self._index = [
+            rr.TimeColumn("frame", sequence=range(frames)),
+            rr.TimeColumn("time", duration=self._times),
+        ]
+
+    def masks(self, masks: Sequence[NDArray[np.uint8]]) -> None:
+        """Log the masks, each (H, W) of 0 and 1."""
+        self._recording.log(
+            entities.MASK,
+            rr.AnnotationContext(
+                [(0, "background", palette.BACKGROUND), (1, "person", palette.MASK)]
+            ),
+            static=True,
+        )
+        for frame, mask in enumerate(masks):
+            self._recording.set_time("frame", sequence=frame)
+            self._recording.set_time("time", duration=self._times[frame])
+            self._recording.log(entities.MASK, rr.SegmentationImage(mask))
+        self._recording.reset_time()
+
+    def camera(self, camera: Camera, aim: Array) -> None:
+        """Log the camera, looking at ``aim (F, 3)``, so that the viewer projects what is in 3D."""
+        self._recording.log(
+            entities.CAMERA,
+            rr.Pinhole(
+                focal_length=camera.focal_pixels,
+                width=camera.width,
+                height=camera.height,
+                camera_xyz=rr.ViewCoordinates.RDF,
+                image_plane_distance=1.0,
+                color=palette.NEUTRAL,
+                line_width=rr.Radius.ui_points(0.5),
+            ),
+            static=True,
+        )
+        self._recording.log(
+            entities.CAMERA,
+            rr.Transform3D.from_fields(mat3x3=camera.orientation),
+            static=True,
+        )
+        self._columns(
+            entities.CAMERA, rr.Transform3D.columns(translation=aim + camera.position), None
+        )
+
+    def image_plane(self, width: int, height: int) -> None:
+        """Say how large the images are where no camera is known."""
+        self._recording.log(
+            entities.CAMERA,
+            rr.Pinhole(focal_length=height, width=width, height=height),
+            static=True,
+        )
+
+    def edge_points(self, points: Sequence[Array]) -> None:
+        """Log the edge points, per frame (P, 2) in pixels."""
+        self._recording.log(
+            entities.EDGE_POINTS,
+            rr.Points2D.from_fields(colors=palette.EDGE, radii=rr.Radius.ui_points(1.8)),
+            static=True,
+        )
+        self._columns(
+            entities.EDGE_POINTS,
+            rr.Points2D.columns(positions=np.concatenate(points)),
+            [len(p) for p in points],
+        )
+
+    def bars(self, entity: str, values: Array, colour: palette.Colour) -> None:
+        """Log a bar chart per frame, ``values (F, B)``."""
+        self._recording.log(entity, rr.BarChart.from_fields(color=colour), static=True)
+        for frame, row in enumerate(values):
+            self._recording.set_time("frame", sequence=frame)
+            self._recording.set_time("time", duration=self._times[frame])
+            self._recording.log(entity, rr.BarChart.from_fields(values=row))
+        self._recording.reset_time()
+
+    def skeleton(
+        self,
+        entity: str,
+        joints: Array,
+        bones: Sequence[tuple[int, int]],
+        names: Sequence[str],
+        colour: palette.Colour,
+        radius: float,
+    ) -> None:
+        """Log a skeleton, ``joints (F, J, 3)`` in the world, metres."""
+        sides = [names[child].split("_")[0] for _, child in bones]
+        self._recording.log(
+            entity,
+            rr.LineStrips3D.from_fields(
+                colors=[palette.shade(colour, side) for side in sides], radii=radius
+            ),
+            static=True,
+        )
+        ends = joints[:, np.asarray(bones)]
+        self._columns(
+            entity,
+            rr.LineStrips3D.columns(strips=ends.reshape(-1, 2, 3)),
+            [len(bones)] * self._frames,
+        )
+
+    def series(
+        self, entity: str, values: Array, name: str, colour: palette.Colour, width: float = 1.5
+    ) -> None:
+        """Log one number per frame, ``values (F,)``, drawn as a line."""
+        self._recording.log(
+            entity, rr.SeriesLines(colors=colour, names=name, widths=width), static=True
+        )
+        self._columns(entity, rr.Scalars.columns(scalars=values), None)
+
+    def _columns(self, entity: str, columns: rr.ComponentColumnList, lengths: list | None) -> None:
+        if lengths is not None:
+            columns = columns.partition(lengths)
+        self._recording.send_columns(entity, indexes=self._index, columns=columns)
+
+
+def log_text(recording: rr.RecordingStream, entity: str, markdown: str) -> None:
+    """Log a text that holds for the whole recording."""
+    recording.log(entity, rr.TextDocument(markdown, media_type="text/markdown"), static=True)
+
+
+def metrics_table(metrics: Mapping[str, Mapping[str, float]], columns: Sequence[str]) -> str:
+    """Write headline values as a markdown table, a row per method."""
+    lines = [
+        "| method | " + " | ".join(columns) + " |",
+        "|---|" + "---|" * len(columns),
+    ]
+    for method, values in metrics.items():
+        cells = [f"{values[c]:.3g}" if c in values else "" for c in columns]
+        lines.append(f"| {method} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)

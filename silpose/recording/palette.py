@@ -1,0 +1,29 @@
+"""Colours: one hue per kind of thing, the left side of a body light and the right side dark."""
+
+Colour = tuple[int, int, int]
+
+TRUE: Colour = (80, 190, 255)
+ESTIMATED: Colour = (255, 150, 50)
+NEUTRAL: Colour = (150, 150, 160)
+MASK: Colour = (70, 74, 84)
+BACKGROUND: Colour = (18, 19, 22)
+EDGE: Colour = (255, 225, 90)
+
+METHODS: dict[str, Colour] = {
+    "mean_pose": (110, 110, 120),
+    "nearest": (120, 200, 120),
+    "knn": (70, 150, 90),
+    "oracle": (90, 110, 200),
+    "ridge": (200, 120, 220),
+}
+
+
+def shade(colour: Colour, side: str) -> Colour:
+    """Colour of a bone: light on the person's left, dark on the right, itself in the middle."""
+    if side == "left":
+        red, green, blue = (min(255, int(c + 0.55 * (255 - c))) for c in colour)
+    elif side == "right":
+        red, green, blue = (int(0.6 * c) for c in colour)
+    else:
+        red, green, blue = colour
+    return red, green, blue

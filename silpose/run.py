@@ -1,0 +1,147 @@
+"""A run's folder: made when a run starts, filled file by file, read back by `load_run`."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from silpose.errors import InputError
+
+if TYPE_CHECKING:
+    from silpose.model import PoseModel
+
+
+@dataclass
+class Run:
+    """One run of an experiment, with a folder of its own.
+
+    Attributes
+    ----------
+    experiment, name : str
+        The folder is ``<root>/<experiment>/<name>``.
+    folder : Path
+    seconds : dict
+        How long each stage took.
+    """
+
+    experiment: str
+    name: str
+    folder: Path
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @classmethod
+    def start(cls, root: str | Path, experiment: str, name: str | None = None) -> Run:
+        """Make the run's folder; without a name it gets the next free number."""
+        parent = Path(root) / experiment
+        try:
+            parent.mkdir(parents=True, exist_ok=True)
+            taken = [int(f.name) for f in parent.iterdir() if f.name.isdigit()]
+            number = max(taken, default=0) + 1
+            while True:  # another process may take the same number first
+                folder = parent / (name or f"{number:03d}")
+                try:
+                    folder.mkdir(exist_ok=name is not None)
+                    (folder / ".partial").touch()
+                    (folder / ".partial").unlink()
+                    return cls(experiment, folder.name, folder)
+                except FileExistsError:
+                    number += 1
+        except OSError as error:
+            raise InputError(
+                f"cannot write to '{parent}' ({error.strerror}): choose another recording.root"
+            ) from error
+
+    def abandon(self) -> None:
+        """Remove the folder if nothing was finished in it."""
+        for partial in self.folder.glob(".*.partial"):
+            partial.unlink()
+        if not any(self.folder.iterdir()):
+            self.folder.rmdir()
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        """Time what happens inside."""
+        started = perf_counter()
+        yield
+        self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - started
+
+    @contextmanager
+    def writing(self, file: str) -> Iterator[Path]:
+        """Give a path to write to; the file gets its name only once it is whole."""
+        partial = self.folder / f".{file}.partial"
+        yield partial
+        partial.replace(self.folder / file)
+
+    def write_metrics(
+        self, dataset: str, seed: int, metrics: Mapping[str, Mapping[str, float]]
+    ) -> None:
+        """Write ``metrics.json``: the headline values of every method."""
+        content = {
+            "experiment": self.experiment,
+            "dataset": dataset,
+            "seed": seed,
+            "seconds": {stage: round(s, 3) for stage, s in self.seconds.items()},
+            "metrics": metrics,
+        }
+        with self.writing("metrics.json") as path:
+            path.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+
+    def write_results(self, rows: Sequence[Mapping[str, object]]) -> None:
+        """Write ``results.csv``: one row per method, setting and value."""
+        columns = list(dict.fromkeys(column for row in rows for column in row))
+        with (
+            self.writing("results.csv") as path,
+            path.open("w", newline="", encoding="utf-8") as file,
+        ):
+            writer = csv.DictWriter(file, columns, lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(rows)
+
+
+@dataclass(frozen=True)
+class FinishedRun:
+    """What `load_run` reads back.
+
+    Attributes
+    ----------
+    folder : Path
+    metrics : dict
+        By method, then by name.
+    seconds : dict
+        By stage.
+    config : str
+        The run's settings as YAML.
+    """
+
+    folder: Path
+    metrics: dict[str, dict[str, float]]
+    seconds: dict[str, float]
+    config: str
+
+    @property
+    def model(self) -> PoseModel:
+        """The run's fitted model."""
+        from silpose.model import PoseModel
+
+        return PoseModel.load(self.folder / "model.npz")
+
+    @property
+    def recording(self) -> Path:
+        """The file that the Rerun viewer opens."""
+        return self.folder / "run.rrd"
+
+
+def load_run(folder: str | Path) -> FinishedRun:
+    """Read a finished run back from its folder."""
+    folder = Path(folder)
+    if not (folder / "metrics.json").is_file():
+        raise InputError(f"'{folder}' holds no finished run: it has no metrics.json")
+    content: dict[str, Any] = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))
+    config = (folder / "config.yaml").read_text(encoding="utf-8")
+    return FinishedRun(folder, content["metrics"], content["seconds"], config)

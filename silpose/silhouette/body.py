@@ -1,0 +1,115 @@
+"""The mannequin as a body to photograph: from poses to convex pieces of its surface."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from mannequin import Mannequin
+from numpy.typing import ArrayLike, NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial.transform import Rotation
+
+from silpose.errors import InputError
+from silpose.skeleton import JOINTS, spine_thirds
+
+Array = NDArray[np.float32]
+
+KINDS = ("convex", "wooden")
+
+# SMPL-X body joints 1 to 21, by our joints; the three spine joints share the chest's rotation
+# and the toes (None) stay at rest.
+_BODY_POSE: tuple[str | None, ...] = (
+    "left_hip", "right_hip", "chest", "left_knee", "right_knee", "chest",
+    "left_ankle", "right_ankle", "chest", None, None,
+    "neck", "left_collar", "right_collar", "head",
+    "left_shoulder", "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist",
+)  # fmt: skip
+
+
+class Body:
+    """A mannequin of one kind and shape.
+
+    Parameters
+    ----------
+    kind : {"convex", "wooden"}
+        Rigid convex links, or a skinned surface (slower).
+    level : {0, 1, 2}
+        Level of detail of the convex body: 80, 52 or 22 links.
+    shape : sequence of 10 floats, or None
+        SMPL-X shape coefficients, in standard deviations; None is the mean body.
+    """
+
+    def __init__(
+        self, kind: str = "convex", level: int = 1, shape: Sequence[float] | None = None
+    ) -> None:
+        if kind not in KINDS:
+            raise InputError(f"there is no body '{kind}'; choose one of {', '.join(KINDS)}")
+        if level not in (0, 1, 2):
+            raise InputError(f"the body's level of detail is 0, 1 or 2, not {level}")
+        coefficients = None if shape is None else np.asarray(shape, dtype=np.float32)
+        if coefficients is not None and coefficients.shape != (10,):
+            raise InputError(f"a body's shape is 10 coefficients, not {coefficients.size}")
+        self._mannequin = Mannequin(
+            kind,  # type: ignore[arg-type]
+            lod=level if kind == "convex" else None,  # type: ignore[arg-type]
+            shape=coefficients,
+        )
+        rest = self._mannequin.rest_pose()
+        self._root = self._mannequin.joint_transforms(rest)[0, :3, 3].astype(np.float32)
+        if not self._mannequin.skinned:
+            self._links = _points_of_links(self._mannequin)
+
+    def pieces(self, rotations: ArrayLike) -> Array:
+        """Pose the body and cut its surface into convex pieces.
+
+        The pieces' shadows together are the silhouette: the convex hull of each rigid link's
+        points, or each triangle of a skinned surface.
+
+        Parameters
+        ----------
+        rotations : array-like, shape (F, 18, 3, 3)
+            Of each joint relative to its parent.
+
+        Returns
+        -------
+        points : ndarray, shape (F, P, K, 3)
+            Metres, the root at the origin: P pieces of K points.
+        """
+        pose = self._smplx_pose(np.asarray(rotations, dtype=float))
+        if self._mannequin.skinned:
+            vertices = self._mannequin.vertices(pose) - self._root
+            return vertices[:, self._mannequin.faces].astype(np.float32)
+        transforms = self._mannequin.link_transforms(pose).astype(np.float32)
+        turns, shifts = transforms[..., :3, :3], transforms[..., None, :3, 3] - self._root
+        return self._links @ np.swapaxes(turns, -1, -2) + shifts
+
+    def _smplx_pose(self, rotations: NDArray[np.float64]) -> dict[str, Array]:
+        pose = self._mannequin.rest_pose(batch_dims=(len(rotations),))
+        by_joint = dict(zip(JOINTS, np.moveaxis(rotations, 1, 0), strict=True))
+        by_joint["chest"] = spine_thirds(by_joint["chest"])
+        for b, joint in enumerate(_BODY_POSE):
+            if joint is not None:
+                pose["body_pose"][:, b] = Rotation.from_matrix(by_joint[joint]).as_rotvec()
+        pose["pelvis_rotation"][:] = Rotation.from_matrix(by_joint["root"]).as_rotvec()
+        return pose
+
+
+def _points_of_links(mannequin: Mannequin) -> Array:
+    """Points of each rigid link in the link's own frame, shape (L, K, 3).
+
+    A link is a closed hull of its own, so it is a connected component of the surface. Short
+    ones repeat a point, which leaves their hull as it is.
+    """
+    rest = mannequin.rest_pose()
+    vertices = mannequin.vertices(rest)
+    faces = mannequin.faces
+    edges = (np.ones(len(faces) * 2), (faces[:, [0, 0]].ravel(), faces[:, [1, 2]].ravel()))
+    _, link_of = connected_components(coo_array(edges, shape=(len(vertices),) * 2), directed=False)
+    longest = np.bincount(link_of).max()
+    points = np.empty((link_of.max() + 1, longest, 3), dtype=np.float32)
+    for link, transform in enumerate(mannequin.link_transforms(rest)):
+        own = (vertices[link_of == link] - transform[:3, 3]) @ transform[:3, :3]
+        points[link] = own[np.minimum(np.arange(longest), len(own) - 1)]
+    return points

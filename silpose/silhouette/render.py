@@ -1,0 +1,72 @@
+"""Masks of a posed body before a camera."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import cv2
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from silpose.silhouette.body import Body
+from silpose.silhouette.camera import Camera
+
+Mask = NDArray[np.uint8]
+
+_BLOCK = 32  # frames posed at a time: enough to share the overhead, small enough for memory
+_SHIFT = 4  # bits of a pixel's fraction that OpenCV's filling takes
+
+
+def render(
+    body: Body, camera: Camera, rotations: ArrayLike, offset: ArrayLike | None = None
+) -> Iterator[Mask]:
+    """Fill the silhouette of every pose.
+
+    Parameters
+    ----------
+    body : Body
+    camera : Camera
+    rotations : array-like, shape (F, 18, 3, 3)
+        Of each joint relative to its parent; the root's heading is relative to the camera.
+    offset : array-like, shape (F, 3), optional
+        Of the root from what the camera looks at, metres; on the optical axis if not given.
+
+    Yields
+    ------
+    mask : ndarray of 0 and 1, shape (height, width)
+    """
+    rotations = np.asarray(rotations)
+    shifts = np.zeros((len(rotations), 3)) if offset is None else np.asarray(offset)
+    for start in range(0, len(rotations), _BLOCK):
+        frames = slice(start, start + _BLOCK)
+        pieces = body.pieces(rotations[frames])
+        pieces += shifts[frames, None, None].astype(pieces.dtype)
+        for flat in camera.project(pieces):
+            yield fill_pieces(flat, camera.height, camera.width)
+
+
+def fill_pieces(pieces: NDArray[np.floating], height: int, width: int) -> Mask:
+    """Fill the union of convex pieces.
+
+    Parameters
+    ----------
+    pieces : ndarray, shape (P, K, 2)
+        Pixel coordinates of the points whose convex hull each piece is; a piece with a point
+        that is not finite (behind the camera) is left out.
+    height, width : int
+
+    Returns
+    -------
+    mask : ndarray of 0 and 1, shape (height, width)
+    """
+    mask = np.zeros((height, width), np.uint8)
+    pieces = pieces[np.isfinite(pieces).all(axis=(1, 2))]
+    if pieces.shape[1] == 3:  # triangles of a closed surface: those that face us are enough
+        (ax, ay), (bx, by), (cx, cy) = np.moveaxis(pieces, 0, -1)
+        pieces = pieces[(bx - ax) * (cy - ay) < (by - ay) * (cx - ax)]
+        hulls = iter(np.rint(pieces * (1 << _SHIFT)).astype(np.int32))
+    else:
+        hulls = map(cv2.convexHull, np.rint(pieces * (1 << _SHIFT)).astype(np.int32))
+    for hull in hulls:
+        cv2.fillConvexPoly(mask, hull, 1, cv2.LINE_8, _SHIFT)
+    return mask

@@ -1,0 +1,92 @@
+import numpy as np
+import pytest
+
+from silpose.evaluation import baselines, measure
+from silpose.evaluation.baselines import oracle
+from silpose.pose import ANGLES
+
+
+@pytest.fixture
+def angles():
+    return np.random.default_rng(0).uniform(-40, 40, (30, 54))
+
+
+def measured(true, estimated):
+    return measure(
+        ANGLES, ANGLES.from_angles(true), ANGLES.from_angles(estimated), ANGLES.from_angles(true)
+    )
+
+
+def test_the_truth_has_no_error(angles):
+    assert max(measured(angles, angles).values()) < 1e-4
+
+
+def test_angular_errors_are_means_over_54_angles(angles):
+    off = angles.copy()
+    off[:, 5] += 27
+    off[::2, 6] -= 54
+    values = measured(angles, off)
+    assert values["mean_angular_error_deg"] == pytest.approx((27 + 27) / 54)
+    assert values["rms_angular_error_deg"] == pytest.approx((27 + 54 / np.sqrt(2)) / 54)
+
+
+def test_angles_that_stand_still_are_left_out_of_the_moving_ones(angles):
+    angles[:, 10:] = 3
+    off = angles.copy()
+    off[:, 20] += 5  # an angle that does not move
+    assert measured(angles, off)["moving_angles_error_deg"] == pytest.approx(0)
+    off[:, 1] += 5
+    assert measured(angles, off)["moving_angles_error_deg"] == pytest.approx(5 / 10)
+
+
+def test_heading_is_measured_on_the_circle(angles):
+    angles[:, 0] = 175
+    off = angles.copy()
+    off[:, 0] = -175
+    off[:3, 0] = 150
+    values = measured(angles, off)
+    assert values["heading_mean_deg"] == pytest.approx((27 * 10 + 3 * 25) / 30)
+    assert values["heading_median_deg"] == pytest.approx(10)
+    assert values["heading_over_20deg"] == pytest.approx(0.1)
+
+
+def test_procrustes_forgives_a_turn_and_mpjpe_does_not(angles):
+    off = angles.copy()
+    off[:, 0] += 60
+    values = measured(angles, off)
+    assert values["pa_mpjpe_mm"] < 1e-6
+    assert values["mpjpe_mm"] > 50
+
+
+def test_procrustes_does_not_forgive_a_reflection(angles):
+    x = ANGLES.from_angles(angles)
+    from silpose.evaluation.metrics import procrustes_distances
+
+    class Mirrored(type(ANGLES)):
+        def joints(self, x):
+            return super().joints(x) * [1, 1, 1 if self.true else -1]
+
+    space = Mirrored()
+    space.true = True
+    true = space.joints(x)
+    space.true = False
+    mirrored = space.joints(x)
+    joints = iter([true, mirrored])
+    space.joints = lambda _: next(joints)
+    assert procrustes_distances(space, x, x).mean() > 5
+
+
+def test_baselines_do_what_their_names_say(angles):
+    x = ANGLES.from_angles(angles)
+    rng = np.random.default_rng(1)
+    z = rng.random((30, 8))
+    estimates = baselines(ANGLES, z[:20], x[:20], z[20:], x[20:])
+    np.testing.assert_allclose(estimates["mean_pose"], x[:20].mean(axis=0)[None].repeat(10, 0))
+    gaps = np.linalg.norm(np.sqrt(z[20:, None]) - np.sqrt(z[None, :20]), axis=2)
+    np.testing.assert_array_equal(estimates["nearest"], x[:20][gaps.argmin(axis=1)])
+    best = ANGLES.distance(x[20:], estimates["oracle"])
+    for name in ("nearest",):
+        assert (best <= ANGLES.distance(x[20:], estimates[name]) + 1e-9).all()
+    np.testing.assert_array_equal(oracle(ANGLES, x, x), x)
+    seen = baselines(ANGLES, z, x, z, x)
+    np.testing.assert_allclose(seen["knn"], x)  # a training mask is its own neighbour

@@ -1,0 +1,110 @@
+import numpy as np
+import pytest
+
+from silpose import skeleton
+from silpose.errors import InputError
+from silpose.pose import ANGLES
+from silpose.silhouette import Body, Camera, render
+
+
+def pose(**angles):
+    values = np.zeros((1, 54))
+    for name, angle in angles.items():
+        values[0, skeleton.ANGLES.index(name)] = angle
+    return ANGLES.rotations(ANGLES.from_angles(values))
+
+
+def mask_of(body, camera, rotations, offset=None):
+    (mask,) = render(body, camera, rotations, offset)
+    return mask
+
+
+def overlap(a, b):
+    return (a & b).sum() / (a | b).sum()
+
+
+def test_mask_holds_every_projected_joint(body):
+    camera = Camera()
+    angles = np.random.default_rng(0).uniform(-20, 20, (10, 54))
+    rotations = skeleton.rotations_from_angles(angles)
+    positions, _ = skeleton.forward_kinematics(rotations)
+    for mask, joints in zip(render(body, camera, rotations), positions, strict=True):
+        assert mask.dtype == np.uint8
+        assert set(np.unique(mask)) == {0, 1}
+        column, row = np.rint(camera.project(joints[: len(skeleton.JOINTS)])).astype(int).T
+        inside = [
+            mask[r - 1 : r + 2, c - 1 : c + 2].any() for r, c in zip(row, column, strict=True)
+        ]
+        assert all(inside)
+
+
+def test_left_arm_is_on_the_images_right_when_facing_the_camera(body):
+    raised = mask_of(body, Camera(), pose(left_shoulder_z=70, right_shoulder_z=70))
+    _, columns = np.nonzero(raised[:60])  # only the raised arm and the head reach up there
+    assert columns.max() > 128 + 20
+    assert columns.min() > 128 - 20
+
+
+def test_turning_by_180_mirrors_a_frontal_silhouette(body):
+    front = mask_of(body, Camera(elevation=0, distance=50, focal_length=22), pose())
+    back = mask_of(body, Camera(elevation=0, distance=50, focal_length=22), pose(root_y=180))
+    assert overlap(front, back[:, ::-1]) > 0.98
+
+
+def test_bodies_differ_but_agree_on_the_person():
+    rotations = pose(left_hip_x=-20, right_hip_x=15)
+    convex = mask_of(Body("convex", level=0), Camera(), rotations)
+    wooden = mask_of(Body("wooden"), Camera(), rotations)
+    assert 0.6 < overlap(convex, wooden) < 1
+
+
+def test_pieces_fill_as_the_surfaces_triangles_do(body):
+    import cv2
+
+    camera = Camera()
+    rotations = pose(left_knee_x=40, chest_x=20)
+    vertices = body._mannequin.vertices(body._smplx_pose(rotations))[0] - body._root
+    slow = np.zeros((256, 256), np.uint8)
+    for triangle in camera.project(vertices)[body._mannequin.faces]:
+        cv2.fillConvexPoly(slow, np.rint(triangle * 16).astype(np.int32), 1, cv2.LINE_8, 4)
+    assert overlap(mask_of(body, camera, rotations), slow) > 0.995
+
+
+def test_shape_changes_the_silhouette():
+    tall = Body(shape=[3, 0, 0, 0, 0, 0, 0, 0, 0, 0])
+    mean, larger = (mask_of(b, Camera(), pose()) for b in (Body(), tall))
+    assert np.ptp(np.nonzero(larger)[0]) != np.ptp(np.nonzero(mean)[0])
+
+
+def test_following_camera_keeps_the_root_on_the_optical_axis():
+    walked = np.array([[0.0, 1, 0], [3, 1, 2]])
+    offset, heading = Camera().place(walked, [10.0, 200.0])
+    np.testing.assert_allclose(offset, 0)
+    np.testing.assert_allclose(heading, [10, -160])
+
+
+def test_standing_camera_sees_the_heading_from_where_it_is():
+    camera = Camera(follow=False, elevation=0, distance=4)
+    offset, heading = camera.place([[-4.0, 1, 0], [4.0, 1, 0]], [0.0, 0.0])
+    np.testing.assert_allclose(offset[:, 0], [-4, 4])
+    np.testing.assert_allclose(heading, [-45, 45])  # the camera is to the left, then the right
+
+
+def test_what_is_behind_the_camera_is_left_out(body):
+    mask = mask_of(body, Camera(), pose(), np.array([[0.0, 0, 10]]))
+    assert not mask.any()
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        (lambda: Body("clay"), "no body 'clay'"),
+        (lambda: Body(level=7), "0, 1 or 2"),
+        (lambda: Body(shape=[1.0]), "10 coefficients"),
+        (lambda: Camera(distance=-1), "distance must be positive"),
+        (lambda: Camera(elevation=90), "elevation"),
+    ],
+)
+def test_wrong_settings_are_named(wrong, message):
+    with pytest.raises(InputError, match=message):
+        wrong()
