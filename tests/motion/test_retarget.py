@@ -1,0 +1,114 @@
+import numpy as np
+import pytest
+
+from silpose import skeleton
+from silpose.motion import BvhFolder
+from silpose.motion.bvh import read_bvh
+from silpose.motion.retarget import LIMBS
+from silpose.motion.source_skeleton import joints_of
+from silpose.pose import wrap_degrees
+from silpose.skeleton import ANGLES
+
+
+def directions(points, names, start, end):
+    bone = points[:, names[end]] - points[:, names[start]]
+    return bone / np.linalg.norm(bone, axis=1, keepdims=True)
+
+
+def our_directions(motion, start, end):
+    points, _ = skeleton.forward_kinematics(skeleton.rotations_from_angles(motion.angles))
+    return directions(points, {n: p for p, n in enumerate(skeleton.POINTS)}, start, end)
+
+
+def test_known_angles(tmp_path, small_bvh):
+    pose = {"root": (0, 30, 0), "left_hip": (0, 0, -25), "left_knee": (0, 0, 40),
+            "right_knee": (0, 0, 10), "chest": (0, 0, 5), "head": (0, 20, 0)}  # fmt: skip
+    small_bvh([pose] * 3).write(tmp_path / "pose.bvh")
+    angles = dict(zip(ANGLES, BvhFolder(tmp_path).takes()[0].angles[0], strict=True))
+    expected = {"root_y": 30, "left_hip_x": -25, "left_knee_x": 40, "right_knee_x": 10,
+                "chest_x": 5, "head_y": 20}  # fmt: skip
+    arms = ("shoulder", "elbow", "wrist")
+    for name, angle in angles.items():
+        if not any(arm in name for arm in arms):
+            assert angle == pytest.approx(expected.get(name, 0), abs=1e-3), name
+
+
+def test_arms_point_where_the_source_points(tmp_path, small_bvh):
+    down = {"left_shoulder": (-80, 0, 0), "right_shoulder": (80, 0, 0), "left_elbow": (0, -90, 0)}
+    small_bvh([down] * 3).write(tmp_path / "arms.bvh")
+    motion = BvhFolder(tmp_path).takes()[0]
+    c, s = np.cos(np.deg2rad(80)), np.sin(np.deg2rad(80))
+    for start, end, expected in [
+        ("left_shoulder", "left_elbow", (c, -s, 0)),
+        ("right_shoulder", "right_elbow", (-c, -s, 0)),
+        ("left_elbow", "left_wrist", (0, 0, 1)),
+        ("right_wrist", "right_hand", (-c, -s, 0)),
+    ]:
+        np.testing.assert_allclose(our_directions(motion, start, end)[0], expected, atol=1e-6)
+
+
+def test_first_frame_t_pose_is_dropped(tmp_path, small_bvh):
+    walk = [{"left_hip": (0, 0, -30)}] * 4
+    small_bvh([{}, *walk]).write(tmp_path / "t_first.bvh")
+    motion = BvhFolder(tmp_path, frames_per_second=30).takes()[0]
+    assert len(motion) == 4
+    np.testing.assert_allclose(motion.angles[:, ANGLES.index("left_hip_x")], -30, atol=1e-6)
+
+
+def test_a_t_pose_may_face_anywhere(tmp_path, small_bvh):
+    turned = {"root": (0, 90, 0)}
+    small_bvh([turned, turned | {"left_hip": (0, 0, -30)}]).write(tmp_path / "aside.bvh")
+    angles = BvhFolder(tmp_path).takes()[0].angles[0]
+    assert angles[0] == pytest.approx(90, abs=1e-6)
+    assert angles[ANGLES.index("left_hip_x")] == pytest.approx(-30, abs=1e-6)
+
+
+def test_scale_and_ground(tmp_path, small_bvh):
+    frames = [{"left_hip": (0, 0, -20), "position": (0, 45, 10 * f)} for f in range(4)]
+    small_bvh(frames).write(tmp_path / "glide.bvh")
+    motion = BvhFolder(tmp_path, frames_per_second=30).takes()[0]
+    np.testing.assert_allclose(np.diff(motion.root_position[:, 2]), 0.2, rtol=1e-5)
+    rotations = skeleton.rotations_from_angles(motion.angles)
+    np.testing.assert_allclose(
+        motion.root_position[:, 1], skeleton.standing_height(rotations), atol=1e-6
+    )
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize("kind", ["snu", "cmu"])
+def test_limbs_and_heading_of_real_motion(shared_mocap, kind):
+    for motion in BvhFolder(shared_mocap / kind).takes():
+        bvh = read_bvh(shared_mocap / kind / f"{motion.name}.bvh")
+        joints = joints_of(bvh, motion.name)
+        if kind == "cmu" or motion.name == "wd2_freeWalk_01":
+            bvh = bvh[1:]  # the T-pose
+        bvh = bvh.resample(15.0)
+        points = bvh.node_positions()
+        names = {ours: bvh.node_index.get(name) for ours, name in joints.items()}
+        for start, end in LIMBS.items():
+            if end.endswith("hand"):
+                continue
+            cosine = np.sum(
+                directions(points, names, start, end) * our_directions(motion, start, end), axis=1
+            )
+            assert np.rad2deg(np.arccos(np.minimum(cosine, 1.0))).mean() < 3.0, (motion.name, end)
+        hips = directions(points, names, "right_hip", "left_hip")
+        azimuth = np.rad2deg(np.arctan2(-hips[:, 2], hips[:, 0]))
+        assert np.abs(wrap_degrees(azimuth - motion.angles[:, 0])).max() < 2.0, motion.name
+        assert np.abs(motion.angles[:, 1::3]).max() < 80.0, motion.name
+        assert np.abs(np.diff(motion.angles[:, 1:], axis=0)).max() < 180.0, motion.name
+
+
+@pytest.mark.shared
+@pytest.mark.parametrize("kind", ["snu", "cmu"])
+def test_soles_are_level_in_stance(shared_mocap, kind):
+    pitches = []
+    for motion in BvhFolder(shared_mocap / kind).takes():
+        points, turned = skeleton.forward_kinematics(skeleton.rotations_from_angles(motion.angles))
+        points = points + motion.root_position[:, None]
+        left, right = (skeleton.JOINTS.index(f"{side}_ankle") for side in ("left", "right"))
+        speed = np.linalg.norm(np.gradient(points[:, [left, right]], axis=0), axis=2) * 15
+        for foot, alone in ((left, speed[:, 0] < 0.25), (right, speed[:, 1] < 0.25)):
+            alone = alone & (speed.max(axis=1) > 0.6)
+            pitches.extend(np.rad2deg(np.arcsin(turned[alone, foot, 1, 2])))
+    assert abs(np.median(pitches)) < 1.5
