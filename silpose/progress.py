@@ -2,31 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from time import monotonic
-from typing import TypeVar
 
-from rich.progress import Progress
-
-T = TypeVar("T")
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 _PATIENCE = 2.0  # seconds without a bar
 
 
-def track(items: Iterable[T], total: int, what: str) -> Iterator[T]:
-    """Pass items on, and after two seconds show how far along they are.
+@contextmanager
+def bar(what: str, total: int) -> Iterator[Callable[[int], None]]:
+    """Give a function to call with the number of items done; the bar goes when all is done.
 
     Parameters
     ----------
-    items : iterable
-    total : int
-        How many there will be.
     what : str
         Shown before the bar.
+    total : int
+        Number of items.
     """
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
     started = monotonic()
-    with Progress(transient=True) as progress:
+    with Progress(*columns, TimeRemainingColumn(), transient=True) as progress:
         task = progress.add_task(what, total=total, visible=False)
-        for item in items:
-            yield item
-            progress.update(task, advance=1, visible=monotonic() - started > _PATIENCE)
+
+        def advance(items: int = 1) -> None:
+            progress.update(task, advance=items, visible=monotonic() - started > _PATIENCE)
+
+        yield advance

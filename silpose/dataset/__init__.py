@@ -2,6 +2,6 @@
 
 from silpose.dataset.same_performer import SamePerformer, Split
 from silpose.dataset.sequence import Dataset, Sequence, poses
-from silpose.dataset.synthesis import photograph
+from silpose.dataset.synthesis import photograph, synthesise
 
-__all__ = ["Dataset", "SamePerformer", "Sequence", "Split", "photograph", "poses"]
+__all__ = ["Dataset", "SamePerformer", "Sequence", "Split", "photograph", "poses", "synthesise"]

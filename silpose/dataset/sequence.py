@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence as Ordered
+from collections.abc import Iterable
+from collections.abc import Sequence as Ordered
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +26,8 @@ class Sequence:
     x : ndarray, shape (F, D)
         True poses.
     masks : ndarray of 0 and 1, shape (F, H, W)
+    offset : ndarray, shape (F, 3)
+        Of the root from what the camera looks at, metres.
     """
 
     name: str
@@ -32,6 +35,7 @@ class Sequence:
     frames_per_second: float
     x: Array
     masks: NDArray[np.uint8]
+    offset: Array
 
     def __len__(self) -> int:
         return len(self.x)

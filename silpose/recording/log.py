@@ -97,11 +97,10 @@ class Track:
 
     def bars(self, entity: str, values: Array, colour: palette.Colour) -> None:
         """Log a bar chart per frame, ``values (F, B)``."""
-        self._recording.log(entity, rr.BarChart.from_fields(color=colour), static=True)
         for frame, row in enumerate(values):
             self._recording.set_time("frame", sequence=frame)
             self._recording.set_time("time", duration=self._times[frame])
-            self._recording.log(entity, rr.BarChart.from_fields(values=row))
+            self._recording.log(entity, rr.BarChart(row, color=colour))
         self._recording.reset_time()
 
     def skeleton(

@@ -1,0 +1,90 @@
+"""The boundary of a mask, and regularly spaced points on it."""
+
+from __future__ import annotations
+
+import cv2
+import numba
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from silpose.errors import InputError
+
+Pixels = NDArray[np.int32]
+
+
+def as_mask(mask: ArrayLike, index: int) -> NDArray[np.uint8]:
+    """Check one mask: 2-D, boolean or integer (not 0 is foreground), or floats of 0 and 1.
+
+    Parameters
+    ----------
+    mask : array-like, shape (H, W)
+    index : int
+        Named in errors.
+    """
+    mask = np.asarray(mask)
+    if mask.ndim != 2 or 0 in mask.shape:
+        raise InputError(f"mask {index} has shape {mask.shape}: expected (height, width)")
+    if mask.dtype.kind == "f" and not np.isin(mask, (0, 1)).all():
+        raise InputError(f"mask {index} holds floats other than 0 and 1: threshold it first")
+    if mask.dtype.kind not in "buif":
+        raise InputError(f"mask {index} has type {mask.dtype}: expected booleans or numbers")
+    mask = mask if mask.dtype == np.uint8 else (mask != 0).view(np.uint8)
+    if not mask.any():
+        raise InputError(f"mask {index} has no foreground: leave out frames without a person")
+    return mask
+
+
+def boundary_pixels(mask: NDArray[np.uint8]) -> tuple[Pixels, Pixels]:
+    """Follow the boundaries of all components and of their holes.
+
+    Parameters
+    ----------
+    mask : ndarray of uint8, shape (H, W)
+
+    Returns
+    -------
+    pixels : ndarray of int, shape (N, 2)
+        x and y, along one contour after the other.
+    lengths : ndarray of int, shape (C,)
+        Number of pixels of each contour.
+    """
+    contours, _ = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    lengths = np.array([len(contour) for contour in contours], dtype=np.int32)
+    return np.concatenate(contours).reshape(-1, 2), lengths
+
+
+@numba.njit(cache=True, nogil=True)
+def spaced_indices(pixels: Pixels, lengths: Pixels, count: int) -> Pixels:  # pragma: no cover
+    """Choose pixels at equal arc length along all contours.
+
+    Parameters
+    ----------
+    pixels, lengths
+        As from `boundary_pixels`.
+    count : int
+        Number of points; where there are fewer pixels, some are chosen repeatedly.
+
+    Returns
+    -------
+    indices : ndarray of int, shape (count,)
+        Into the pixels.
+    """
+    along = np.empty(len(pixels) + 1)
+    along[0] = 0.0
+    start = 0
+    for length in lengths:
+        for k in range(length):
+            here, following = start + k, start + (k + 1) % length
+            dx = pixels[following, 0] - pixels[here, 0]
+            dy = pixels[following, 1] - pixels[here, 1]
+            step = np.sqrt(dx * dx + dy * dy) if length > 1 else 1.0
+            along[here + 1] = along[here] + step
+        start += length
+    spacing = along[-1] / count
+    indices = np.empty(count, np.int32)
+    pixel = 0
+    for point in range(count):
+        while along[pixel + 1] <= point * spacing:
+            pixel += 1
+        indices[point] = pixel
+    return indices

@@ -1,0 +1,148 @@
+"""`PoseModel`: a fitted descriptor and regressor, from masks to poses, saved to one file."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from silpose.descriptor import ShapeContextHistogram
+from silpose.errors import InputError
+from silpose.pose import SPACES, PoseSpace
+from silpose.regression import REGRESSORS, Regressor
+from silpose.silhouette import mask_files, read_mask
+
+Array = NDArray[np.float64]
+Masks = str | Path | ArrayLike | Sequence[NDArray[np.uint8]]
+
+FORMAT = 1
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Estimated poses of F frames.
+
+    Attributes
+    ----------
+    x : ndarray, shape (F, D)
+        Pose vectors.
+    space : PoseSpace
+        Meaning of their columns.
+    """
+
+    x: Array
+    space: PoseSpace
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    @property
+    def joints(self) -> Array:
+        """Joint positions, metres, root at the origin, shape (F, J, 3)."""
+        return self.space.joints(self.x)
+
+    @property
+    def heading(self) -> Array:
+        """Heading relative to the direction to the camera, degrees, shape (F,)."""
+        return self.space.heading(self.x)
+
+    @property
+    def heading_norm(self) -> Array:
+        """Norm of the estimated (cos, sin): below 1 where the estimate doubts, shape (F,)."""
+        return self.space.heading_norm(self.x)
+
+
+@dataclass
+class PoseModel:
+    """From masks to poses.
+
+    Attributes
+    ----------
+    descriptor : ShapeContextHistogram
+    regressor : Regressor
+    space : PoseSpace
+    frames_per_second : float
+        Of the motion that it was trained on.
+    """
+
+    descriptor: ShapeContextHistogram
+    regressor: Regressor
+    space: PoseSpace
+    frames_per_second: float
+
+    def fit(self, masks: ArrayLike, x: ArrayLike) -> PoseModel:
+        """Learn the codebook and the regression.
+
+        Parameters
+        ----------
+        masks : array-like, shape (n, H, W), or list of arrays (H, W)
+        x : array-like, shape (n, D)
+            The poses behind the masks.
+        """
+        z = self.descriptor.fit_transform(masks)
+        self.regressor.fit(z, np.asarray(x))
+        return self
+
+    def predict(self, masks: Masks) -> Poses:
+        """Estimate the pose behind each mask.
+
+        Parameters
+        ----------
+        masks : array-like, shape (F, H, W), list of arrays (H, W), or path of a folder of images
+        """
+        if isinstance(masks, str | Path):
+            masks = [read_mask(file) for file in mask_files(masks)]
+        return Poses(self.regressor.predict(self.descriptor.transform(masks)), self.space)
+
+    def save(self, path: str | Path) -> None:
+        """Write the model as an ``.npz`` without pickled objects."""
+        header = {
+            "format": FORMAT,
+            "silpose": version("silpose"),
+            "regressor": type(self.regressor).__name__,
+            "space": self.space.name,
+            "frames_per_second": self.frames_per_second,
+        }
+        arrays = {"header": np.array(json.dumps(header))}
+        for part in ("descriptor", "regressor"):
+            for name, value in getattr(self, part).state().items():
+                arrays[f"{part}.{name}"] = np.asarray(value)
+        with Path(path).open("wb") as file:  # savez would append .npz to the name
+            np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
+
+    @classmethod
+    def load(cls, path: str | Path) -> PoseModel:
+        """Read a saved model: an ``.npz``, or the folder of the run that holds it."""
+        path = Path(path)
+        if path.is_dir():
+            path = path / "model.npz"
+        if not path.is_file():
+            raise InputError(f"there is no model '{path}': give a run's model.npz")
+        try:
+            with np.load(path, allow_pickle=False) as file:
+                arrays: dict[str, Any] = dict(file)
+            header = json.loads(str(arrays.pop("header")))
+        except (ValueError, OSError, KeyError, zipfile.BadZipFile) as error:
+            raise InputError(f"'{path}' is no silpose model: give a run's model.npz") from error
+        if header["format"] != FORMAT:
+            raise InputError(
+                f"'{path}' has format {header['format']} of silpose {header['silpose']}; "
+                f"this version reads format {FORMAT}: train the model anew"
+            )
+        states: dict[str, dict[str, Any]] = {"descriptor": {}, "regressor": {}}
+        for name, value in arrays.items():
+            part, _, entry = name.partition(".")
+            states[part][entry] = value
+        return cls(
+            ShapeContextHistogram.from_state(states["descriptor"]),
+            REGRESSORS[header["regressor"]].from_state(states["regressor"]),
+            SPACES[header["space"]],
+            header["frames_per_second"],
+        )

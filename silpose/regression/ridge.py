@@ -1,0 +1,35 @@
+"""Ridge regression: Eq. 4."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from silpose.errors import InputError
+from silpose.regression.basis import GaussianBasis
+from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.regressor import Regressor
+
+
+class RidgeRegressor(Regressor):
+    """Damped least squares: min ‖A F - Y‖² + λ ‖A‖² (Eq. 4), its offset undamped.
+
+    The penalty is the equation's; the paper's augmented matrix (F λI) would give λ² ‖A‖².
+
+    Parameters
+    ----------
+    basis : GaussianBasis or None
+        None is the default basis.
+    damping : float
+        λ; outputs are scaled to unit variance first.
+    """
+
+    def __init__(self, basis: GaussianBasis | None = None, damping: float = 0.1) -> None:
+        self.basis = basis
+        self.damping = damping
+
+    def fit_system(self, basis: GaussianBasis, system: NormalEquations) -> None:
+        """Solve normal equations already at hand."""
+        if self.damping <= 0:
+            raise InputError(f"damping must be positive, not {self.damping}")
+        everything = np.arange(len(basis.indices_))
+        self._keep(basis, system, system.solve(self.damping), everything)

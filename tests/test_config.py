@@ -1,0 +1,50 @@
+from itertools import product
+
+import pytest
+from omegaconf import OmegaConf
+
+from silpose.config import build, config_folder, load
+from silpose.errors import InputError
+
+CHOICES = sorted(
+    (file.parent.name, file.stem)
+    for file in config_folder().glob("*/*.yaml")
+)  # fmt: skip
+NEEDED = {"bvh": ["motion.root=somewhere"], "masks": ["silhouette.source=somewhere"]}
+
+
+@pytest.mark.parametrize(("group", "choice"), CHOICES)
+def test_every_choice_composes(group, choice):
+    settings = load([f"{group}={choice}", *NEEDED.get(choice, [])])
+    assert OmegaConf.to_container(settings, resolve=True, throw_on_missing=True)
+
+
+def test_every_pair_of_motion_and_silhouette_composes():
+    for motion, silhouette in product(("walker", "bvh"), ("convex", "wooden", "masks")):
+        overrides = [f"motion={motion}", f"silhouette={silhouette}"]
+        assert load([*overrides, *NEEDED.get(motion, []), *NEEDED.get(silhouette, [])])
+
+
+def test_an_added_setting_is_refused_and_its_neighbour_named():
+    with pytest.raises(InputError, match=r"no setting 'motion\.frame_per_second'.*did you mean"):
+        load(["+motion.frame_per_second=3"])
+
+
+def test_a_wrong_name_or_type_is_named():
+    def room(size: int = 1, names: list[str] | None = None, width: float | None = None) -> tuple:
+        return size, names, width
+
+    assert build(room, {"size": 3, "names": ["a"], "width": 2}, "room") == (3, ["a"], 2.0)
+    assert build(room, {"names": None}, "room") == (1, None, None)
+    with pytest.raises(InputError, match=r"no setting 'room\.sise'; did you mean 'size'"):
+        build(room, {"sise": 3}, "room")
+    with pytest.raises(InputError, match=r"'room\.size' is to be int, not 'big'"):
+        build(room, {"size": "big"}, "room")
+
+
+def test_what_must_be_given_is_asked_for():
+    def room(root: str) -> str:
+        return root
+
+    with pytest.raises(InputError, match=r"'room\.root' is not set"):
+        build(room, {}, "room")
