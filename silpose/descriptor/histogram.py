@@ -62,7 +62,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         Of a context; the rings grow by equal factors.
     radius : float
         Reach of a context, relative to the silhouette's size, which is the root mean square
-        distance of its boundary from its centre: about a third of a standing person's height.
+        distance of its boundary from its centre: 0.3 of a standing person's height.
     inner_radius : float
         Outer radius of the innermost ring, relative to `radius`.
     codebook_size : int
@@ -96,10 +96,10 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         edge_points: int = 200,
         angular_bins: int = 12,
         radial_bins: int = 5,
-        radius: float = 0.8,
-        inner_radius: float = 0.125,
+        radius: float = 0.45,
+        inner_radius: float = 0.1,
         codebook_size: int = 100,
-        voters: int = 5,
+        voters: int = 8,
         vote_width: float = 0.7,
         max_contexts: int = 50_000,
         random_state: int | None = 0,

@@ -60,7 +60,7 @@ class WalkerTakes:
         turns: float = 2.0,
         test_turns: float = 2.9,
         radius_ratio: float = 2.0,
-        spread: float = 1.0,
+        spread: float = 0.5,
     ) -> None:
         for name, value in (
             ("seconds", seconds), ("test_seconds", test_seconds),

@@ -16,9 +16,9 @@ from silpose.regression.regressor import Regressor
 
 Array = NDArray[np.float64]
 
-_ZERO = 1e-6  # a column counts as zero below this share of the largest column's norm
+_ZERO = 1e-3  # a column counts as zero below this share of the largest column's norm
 _START_DAMPING = 0.01  # of the ridge regression that starts the continuation
-_STEP = 1.3  # factor between the ν's of the path to a wanted sparsity
+_STEP = 2.0  # factor between the ν's of the path to a wanted sparsity
 _HALVINGS = 5  # of the last step, to come near the wanted sparsity
 
 
@@ -61,8 +61,7 @@ def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol
         ν.
     max_iter : int
     tol : float
-        Converged once no column was removed and the largest relative change of a column's norm
-        is below it.
+        Converged once an iteration changes the coefficients by less than this share.
 
     Returns
     -------
@@ -70,7 +69,7 @@ def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol
     """
     kept, a = start.kept, start.a
     scale = np.linalg.norm(a, axis=1)
-    objective = list(start.objective)
+    objective: list[tuple[int, float]] = []
     gram, target = system.gram[np.ix_(kept, kept)], system.target[kept]
     for _ in range(max_iter):
         alive = scale > _ZERO * scale.max(initial=0.0)
@@ -80,17 +79,17 @@ def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol
         if not len(kept):
             break
         bridged = gram * scale * scale[:, None]
-        a = scale[:, None] * solve_damped(bridged, scale[:, None] * target, nu / 2)
-        before, scale = scale, np.linalg.norm(a, axis=1)
+        before, a = a, scale[:, None] * solve_damped(bridged, scale[:, None] * target, nu / 2)
+        scale = np.linalg.norm(a, axis=1)
         fit = system.residue - 2 * np.sum(a * target) + np.sum(a * (gram @ a))
         with np.errstate(divide="ignore"):
             objective.append((len(kept), float(fit + nu * np.log(scale).sum())))
-        change = np.abs(scale - before) / before
-        if alive.all() and change.max() < tol:
+        change = np.linalg.norm(a - before) / np.linalg.norm(before)
+        if change < tol:
             break
     else:
         warnings.warn(
-            f"the columns still change by {change.max():.1g} after {max_iter} iterations at "
+            f"the coefficients still change by {change:.1g} after {max_iter} iterations at "
             f"nu={nu:.3g}: raise max_iter or tol",
             ConvergenceWarning,
             stacklevel=2,
@@ -98,39 +97,46 @@ def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol
     return Bridges(kept, a, objective)
 
 
-def path(
-    system: NormalEquations, nus: list[float], max_iter: int, tol: float
-) -> list[tuple[float, Bridges]]:
-    """Cross the bridges for growing ν, each from the end of the one before."""
-    state = Bridges.start(system)
-    steps = []
-    for nu in sorted(nus):
-        state = cross(system, Bridges(state.kept, state.a), nu, max_iter, tol)
-        steps.append((nu, state))
-    return steps
-
-
 def sparsest_within(
-    system: NormalEquations, count: int, first_nu: float, max_iter: int, tol: float
+    system: NormalEquations, count: int, nu: float, start: Bridges, max_iter: int, tol: float
 ) -> tuple[float, Bridges]:
-    """Raise ν until at most `count` columns are kept, and come as near to that as possible."""
-    nu, dense = first_nu, Bridges.start(system)
+    """Raise ν until at most `count` columns are kept, and come as near to that as possible.
+
+    Each ν starts from the end of the one before: a path along decreasing density, on which
+    columns leave one after the other, and which ends in better minima than a start from ridge.
+
+    Parameters
+    ----------
+    system : NormalEquations
+    count : int
+    nu : float
+        First ν of the path.
+    start : Bridges
+        Where it begins.
+    max_iter, tol
+        As for `cross`.
+
+    Returns
+    -------
+    nu : float
+    end : Bridges
+    """
+    low, dense = nu / _STEP, start
     while True:
-        sparse = cross(system, Bridges(dense.kept, dense.a), nu, max_iter, tol)
+        sparse = cross(system, dense, nu, max_iter, tol)
         if len(sparse.kept) <= count:
             break
-        nu, dense = nu * _STEP, sparse
-    low, high = nu / _STEP, nu
+        low, dense, nu = nu, sparse, nu * _STEP
     for _ in range(_HALVINGS):
         if len(sparse.kept) == count:
             break
-        middle = np.sqrt(low * high)
-        state = cross(system, Bridges(dense.kept, dense.a), middle, max_iter, tol)
+        middle = float(np.sqrt(low * nu))
+        state = cross(system, dense, middle, max_iter, tol)
         if len(state.kept) <= count:
-            high, sparse = middle, state
+            nu, sparse = middle, state
         else:
             low, dense = middle, state
-    return high, sparse
+    return nu, sparse
 
 
 class RelevanceVectorRegressor(Regressor):
@@ -150,7 +156,7 @@ class RelevanceVectorRegressor(Regressor):
     max_iter : int
         For each ν.
     tol : float
-        Largest relative change of a column's norm at convergence.
+        Converged once an iteration changes the coefficients by less than this share.
 
     Attributes
     ----------
@@ -164,7 +170,7 @@ class RelevanceVectorRegressor(Regressor):
     def __init__(
         self,
         basis: GaussianBasis | None = None,
-        nu: float = 1.0,
+        nu: float = 8.0,
         keep_at_most: float | None = None,
         max_iter: int = 200,
         tol: float = 1e-2,
@@ -186,7 +192,8 @@ class RelevanceVectorRegressor(Regressor):
         if not 0 < self.keep_at_most <= 1:
             raise InputError(f"keep_at_most is a share up to 1, not {self.keep_at_most}")
         count = max(1, int(self.keep_at_most * len(system.gram)))
-        nu, end = sparsest_within(system, count, self.nu, self.max_iter, self.tol)
+        start = Bridges.start(system)
+        nu, end = sparsest_within(system, count, self.nu, start, self.max_iter, self.tol)
         self.take(basis, system, nu, end)
 
     def take(self, basis: GaussianBasis, system: NormalEquations, nu: float, end: Bridges) -> None:
