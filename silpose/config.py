@@ -10,13 +10,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, make_dataclass
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, TypeVar, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
 
 from hydra import compose, initialize_config_dir
-from omegaconf import DictConfig, OmegaConf
+from omegaconf import MISSING, DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
 from silpose.errors import InputError
+
+if TYPE_CHECKING:
+    from silpose.experiments import Rooms
 
 T = TypeVar("T")
 
@@ -69,16 +72,18 @@ def _nearest(name: str, known: Sequence[str]) -> str:
     return f"; did you mean '{close[0]}'?" if close else f"; there are {', '.join(sorted(known))}"
 
 
-def choose(choices: Mapping[str, Callable[..., T]], settings: DictConfig, where: str) -> T:
-    """Build what ``settings.kind`` names among some choices."""
-    kind = settings.kind
+def choose(choices: Mapping[str, Callable[..., T]], settings: Mapping[str, Any], where: str) -> T:
+    """Build what ``settings["kind"]`` names among some choices."""
+    kind = settings["kind"]
     if kind not in choices:
         raise InputError(f"there is no '{where}.kind={kind}'{_nearest(kind, list(choices))}")
-    rest = {str(k): v for k, v in settings.items() if k != "kind"}
+    rest = {k: v for k, v in settings.items() if k != "kind"}
     return build(choices[kind], rest, where)
 
 
-def build(constructor: Callable[..., T], settings: Mapping[str, Any], where: str) -> T:
+def build(
+    constructor: Callable[..., T], settings: Mapping[str, Any], where: str, /, **given: object
+) -> T:
     """Call a constructor with settings checked against its signature.
 
     Parameters
@@ -88,6 +93,8 @@ def build(constructor: Callable[..., T], settings: Mapping[str, Any], where: str
     settings : mapping
     where : str
         Place of the settings in ``conf/``, for messages.
+    **given
+        Further arguments, which are no settings.
     """
     parameters = inspect.signature(constructor).parameters
     target = constructor.__init__ if inspect.isclass(constructor) else constructor  # type: ignore
@@ -102,16 +109,16 @@ def build(constructor: Callable[..., T], settings: Mapping[str, Any], where: str
     missing = [
         f"{where}.{name}"
         for name, p in parameters.items()
-        if p.default is p.empty and name not in values
+        if name not in given and values.get(name, p.default) in (p.empty, "???")
     ]
     if missing:
         raise InputError(f"'{missing[0]}' is not set: add {missing[0]}=…")
-    return constructor(**values)
+    return constructor(**values, **given)
 
 
 def _typed(where: str, hint: Any, value: Any) -> Any:
     """Convert one value to the type that a parameter's annotation names."""
-    schema = make_dataclass("Setting", [("value", hint, field(default=None))])
+    schema = make_dataclass("Setting", [("value", hint, field(default=MISSING))])
     try:
         with_schema = OmegaConf.merge(OmegaConf.structured(schema), {"value": value})
         typed = OmegaConf.to_container(with_schema)
@@ -133,3 +140,36 @@ def _plain_hint(hint: Any) -> Any:
     if len(plain) == 1 and type(None) in arguments:
         return plain[0] | None if plain[0] is not Any else Any
     return Any
+
+
+def furnish(settings: DictConfig) -> Rooms:
+    """Build every room from its settings."""
+    from silpose.dataset import SamePerformer
+    from silpose.descriptor import ShapeContextHistogram
+    from silpose.experiments.rooms import OwnMasks, Rooms
+    from silpose.motion import BvhFolder, WalkerTakes
+    from silpose.regression import BasisSettings, Candidates, RidgeSettings, RvmSettings
+    from silpose.silhouette import Body, Camera
+
+    plain = OmegaConf.to_container(settings, resolve=True)
+    assert isinstance(plain, dict)
+    silhouette, regression = plain["silhouette"], plain["regression"]
+    body, camera = silhouette.pop("body"), silhouette.pop("camera")
+    descriptors = {"shape_context": ShapeContextHistogram}
+    parts = {"basis": BasisSettings, "ridge": RidgeSettings, "rvm": RvmSettings}
+    sources = {"walker": WalkerTakes, "bvh": BvhFolder}
+    return Rooms(
+        source=choose(sources, plain["motion"], "motion"),
+        body=build(Body, body, "silhouette.body"),
+        camera=build(Camera, camera, "silhouette.camera"),
+        own_masks=build(OwnMasks, silhouette, "silhouette"),
+        splitter=choose({"same_performer": SamePerformer}, plain["dataset"], "dataset"),
+        dataset_name=f"{plain['dataset']['kind']}/{plain['motion']['kind']}",
+        descriptor=choose(
+            {"shape_context": ShapeContextHistogram}, plain["descriptor"], "descriptor"
+        ),
+        candidates=Candidates(
+            **{n: build(kind, regression[n], f"regression.{n}") for n, kind in parts.items()}
+        ),
+        seed=plain["seed"],
+    )

@@ -17,7 +17,7 @@ from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
 from silpose.pose import SPACES, PoseSpace
 from silpose.regression import REGRESSORS, Regressor
-from silpose.silhouette import mask_files, read_mask
+from silpose.silhouette import read_masks
 
 Array = NDArray[np.float64]
 Masks = str | Path | ArrayLike | Sequence[NDArray[np.uint8]]
@@ -59,6 +59,30 @@ class Poses:
         return self.space.heading_norm(self.x)
 
 
+@dataclass(frozen=True)
+class Look:
+    """What a model saw of F masks, and what it made of them.
+
+    Attributes
+    ----------
+    masks : list of ndarray, each (H, W)
+    points : list of ndarray, each (P, 2)
+        Edge points, pixels; none for a blank mask.
+    z : ndarray, shape (F, d)
+        Descriptors; NaN for a blank mask, as the following.
+    activations : ndarray, shape (F, k)
+        Of the basis functions that are kept.
+    x : ndarray, shape (F, D)
+        Estimated poses.
+    """
+
+    masks: list[NDArray[np.uint8]]
+    points: list[NDArray[np.int32]]
+    z: Array
+    activations: Array
+    x: Array
+
+
 @dataclass
 class PoseModel:
     """From masks to poses.
@@ -90,16 +114,40 @@ class PoseModel:
         self.regressor.fit(z, np.asarray(x))
         return self
 
-    def predict(self, masks: Masks) -> Poses:
+    def predict(self, masks: Masks, blank: str = "error") -> Poses:
         """Estimate the pose behind each mask.
 
         Parameters
         ----------
         masks : array-like, shape (F, H, W), list of arrays (H, W), or path of a folder of images
+        blank : {"error", "nan"}
+            What a mask without foreground gives: an error, or a row of NaN.
         """
+        return Poses(self.look(masks, blank).x, self.space)
+
+    def look(self, masks: Masks, blank: str = "error") -> Look:
+        """Estimate poses as `predict` does, and keep every step."""
         if isinstance(masks, str | Path):
-            masks = [read_mask(file) for file in mask_files(masks)]
-        return Poses(self.regressor.predict(self.descriptor.transform(masks)), self.space)
+            masks = read_masks(masks, blank)
+        frames = list(masks)  # type: ignore[arg-type]
+        if blank == "error":
+            seen = np.arange(len(frames))  # the descriptor names a blank one
+        elif blank == "nan":
+            seen = np.flatnonzero([np.any(mask) for mask in frames])
+        else:
+            raise InputError(f"blank is 'error' or 'nan', not '{blank}'")
+        described = self.descriptor.describe([frames[f] for f in seen])
+        z = np.stack([d.z for d in described])
+        points = [np.empty((0, 2), np.int32)] * len(frames)
+        for frame, description in zip(seen, described, strict=True):
+            points[frame] = description.points
+        return Look(
+            frames,
+            points,
+            _spread(z, seen, len(frames)),
+            _spread(self.regressor.activations(z), seen, len(frames)),
+            _spread(self.regressor.predict(z), seen, len(frames)),
+        )
 
     def save(self, path: str | Path) -> None:
         """Write the model as an ``.npz`` without pickled objects."""
@@ -146,3 +194,10 @@ class PoseModel:
             SPACES[header["space"]],
             header["frames_per_second"],
         )
+
+
+def _spread(rows: Array, frames: NDArray[np.intp], count: int) -> Array:
+    """Put rows where their frames are, and NaN elsewhere."""
+    spread = np.full((count, rows.shape[1]), np.nan)
+    spread[frames] = rows
+    return spread

@@ -26,6 +26,8 @@ class Run:
     experiment, name : str
         The folder is ``<root>/<experiment>/<name>``.
     folder : Path
+    settings : str
+        As YAML.
     seconds : dict
         How long each stage took.
     """
@@ -33,11 +35,12 @@ class Run:
     experiment: str
     name: str
     folder: Path
+    settings: str
     seconds: dict[str, float] = field(default_factory=dict)
 
     @classmethod
-    def start(cls, root: str | Path, experiment: str, name: str | None = None) -> Run:
-        """Make the run's folder; without a name it gets the next free number."""
+    def start(cls, root: str, experiment: str, name: str | None = None, settings: str = "") -> Run:
+        """Make the run's folder below a root; without a name it gets the next free number."""
         parent = Path(root) / experiment
         try:
             parent.mkdir(parents=True, exist_ok=True)
@@ -49,7 +52,7 @@ class Run:
                     folder.mkdir(exist_ok=name is not None)
                     (folder / ".partial").touch()
                     (folder / ".partial").unlink()
-                    return cls(experiment, folder.name, folder)
+                    return cls(experiment, folder.name, folder, settings)
                 except FileExistsError:
                     number += 1
         except OSError as error:
@@ -77,6 +80,11 @@ class Run:
         partial = self.folder / f".{file}.partial"
         yield partial
         partial.replace(self.folder / file)
+
+    def write_settings(self) -> None:
+        """Write ``config.yaml``."""
+        with self.writing("config.yaml") as path:
+            path.write_text(self.settings, encoding="utf-8")
 
     def write_metrics(
         self, dataset: str, seed: int, metrics: Mapping[str, Mapping[str, float]]
@@ -111,6 +119,7 @@ class FinishedRun:
     Attributes
     ----------
     folder : Path
+    experiment, dataset : str
     metrics : dict
         By method, then by name.
     seconds : dict
@@ -120,6 +129,8 @@ class FinishedRun:
     """
 
     folder: Path
+    experiment: str
+    dataset: str
     metrics: dict[str, dict[str, float]]
     seconds: dict[str, float]
     config: str
@@ -144,4 +155,11 @@ def load_run(folder: str | Path) -> FinishedRun:
         raise InputError(f"'{folder}' holds no finished run: it has no metrics.json")
     content: dict[str, Any] = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))
     config = (folder / "config.yaml").read_text(encoding="utf-8")
-    return FinishedRun(folder, content["metrics"], content["seconds"], config)
+    return FinishedRun(
+        folder,
+        content["experiment"],
+        content["dataset"],
+        content["metrics"],
+        content["seconds"],
+        config,
+    )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Protocol
 
 from silpose.dataset import Dataset, SamePerformer, synthesise
@@ -56,8 +55,6 @@ class Rooms:
     candidates : Candidates
         The regressors' settings, or what to choose them from.
     seed : int
-    recordings : Path
-        Where runs go.
     """
 
     source: TakeSource
@@ -69,7 +66,6 @@ class Rooms:
     descriptor: ShapeContextHistogram
     candidates: Candidates
     seed: int
-    recordings: Path
 
     def dataset(self) -> Dataset:
         """Photograph the takes and split them."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 import rerun as rr
@@ -146,15 +146,3 @@ class Track:
 def log_text(recording: rr.RecordingStream, entity: str, markdown: str) -> None:
     """Log a text that holds for the whole recording."""
     recording.log(entity, rr.TextDocument(markdown, media_type="text/markdown"), static=True)
-
-
-def metrics_table(metrics: Mapping[str, Mapping[str, float]], columns: Sequence[str]) -> str:
-    """Write headline values as a markdown table, a row per method."""
-    lines = [
-        "| method | " + " | ".join(columns) + " |",
-        "|---|" + "---|" * len(columns),
-    ]
-    for method, values in metrics.items():
-        cells = [f"{values[c]:.3g}" if c in values else "" for c in columns]
-        lines.append(f"| {method} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)

@@ -6,48 +6,26 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 from numpy.typing import NDArray
 
-from silpose.pose import PoseSpace
+from silpose.dataset import Sequence as Take
+from silpose.pose import ANGLES, PoseSpace
 from silpose.recording import blueprint, entities, palette
 from silpose.recording.log import Track, log_text
 from silpose.silhouette import Camera
+from silpose.skeleton import standing_height
+
+if TYPE_CHECKING:
+    from silpose.model import Look, PoseModel
 
 Array = NDArray[np.float64]
 
 APPLICATION = "silpose"
-
-
-@dataclass(frozen=True)
-class Seen:
-    """What a model saw of F frames, and what it made of them.
-
-    Attributes
-    ----------
-    name : str
-        Of the sequence.
-    frames_per_second : float
-    masks : sequence of ndarray of 0 and 1, each (H, W)
-    edge_points : sequence of ndarray, each (P, 2)
-        Pixels.
-    histograms : ndarray, shape (F, B)
-    activations : ndarray, shape (F, k)
-    space : PoseSpace
-    estimated : ndarray, shape (F, D)
-    """
-
-    name: str
-    frames_per_second: float
-    masks: Sequence[NDArray[np.uint8]]
-    edge_points: Sequence[Array]
-    histograms: Array
-    activations: Array
-    space: PoseSpace
-    estimated: Array
 
 
 @dataclass(frozen=True)
@@ -72,9 +50,25 @@ class Truth:
     camera: Camera
     errors: Mapping[str, Array]
 
+    @classmethod
+    def of(cls, take: Take, camera: Camera, errors: Mapping[str, Array]) -> Truth:
+        """Place a synthesised take in the world, its feet on the ground at y = 0."""
+        height = standing_height(ANGLES.rotations(take.x))
+        if not camera.follow:  # a camera that stands still sees the person rise and sink
+            height = np.full(len(take), np.median(height - take.offset[:, 1])) + take.offset[:, 1]
+        aim = np.zeros_like(take.offset)
+        aim[:, 1] = height - take.offset[:, 1]
+        return cls(take.x, aim + take.offset, aim, camera, errors)
+
 
 def record_single_image(
-    path: Path, name: str, seen: Seen, truth: Truth, shown: Sequence[str], texts: Mapping[str, str]
+    path: Path,
+    name: str,
+    model: PoseModel,
+    look: Look,
+    truth: Truth,
+    shown: Sequence[str],
+    texts: Mapping[str, str],
 ) -> None:
     """Write the recording of a single-image experiment.
 
@@ -83,27 +77,29 @@ def record_single_image(
     path : Path
     name : str
         Of the run: becomes the recording's id, so that no two runs merge in the viewer.
-    seen : Seen
+    model : PoseModel
+    look : Look
+        What it made of the masks.
     truth : Truth
     shown : sequence of str
         Methods whose errors are drawn, the estimated one first.
     texts : mapping of str to str
         Markdown by entity.
     """
-    layout = blueprint.single_image(shown, seen.frames_per_second)
-    with _recording(path, name, layout) as recording:
-        track = _log_seen(recording, seen, texts)
+    space, rate = model.space, model.frames_per_second
+    with _recording(path, name, blueprint.single_image(shown, rate)) as recording:
+        track = _log_look(recording, look, rate, texts)
         track.camera(truth.camera, truth.aim)
-        _log_estimate(track, seen, truth.root)
+        _log_estimate(track, space, look.x, truth.root)
         track.skeleton(
             entities.TRUE_SKELETON,
-            seen.space.joints(truth.poses) + truth.root[:, None],
-            seen.space.bones,
-            seen.space.joint_names,
+            space.joints(truth.poses) + truth.root[:, None],
+            space.bones,
+            space.joint_names,
             palette.TRUE,
             radius=0.016,
         )
-        headings = seen.space.heading(truth.poses)
+        headings = space.heading(truth.poses)
         track.series(entities.TRUE_HEADING, headings, "true", palette.TRUE)
         for method, errors in truth.errors.items():
             colour = palette.ESTIMATED if method == shown[0] else palette.METHODS.get(method)
@@ -113,25 +109,36 @@ def record_single_image(
             )
 
 
-def record_prediction(path: Path, name: str, seen: Seen, root: Array, texts: dict) -> None:
+def record_prediction(
+    path: Path,
+    name: str,
+    model: PoseModel,
+    look: Look,
+    frames_per_second: float,
+    texts: Mapping[str, str],
+) -> None:
     """Write the recording of poses whose truth nobody knows.
 
     Parameters
     ----------
     path : Path
     name : str
-    seen : Seen
-    root : ndarray, shape (F, 3)
-        Where to draw the person's root, metres.
+    model : PoseModel
+    look : Look
+        What it made of the masks.
+    frames_per_second : float
+        Of the masks.
     texts : mapping of str to str
         Markdown by entity.
     """
-    layout = blueprint.predict(seen.frames_per_second)
-    with _recording(path, name, layout) as recording:
-        track = _log_seen(recording, seen, texts)
-        height, width = np.max([mask.shape for mask in seen.masks], axis=0)
+    with _recording(path, name, blueprint.predict(frames_per_second)) as recording:
+        track = _log_look(recording, look, frames_per_second, texts)
+        height, width = np.max([np.shape(mask) for mask in look.masks], axis=0)
         track.image_plane(int(width), int(height))
-        _log_estimate(track, seen, root)
+        root = np.zeros((len(look.x), 3))
+        joints = model.space.joints(np.nan_to_num(look.x))
+        root[:, 1] = -joints[..., 1].min(axis=1)  # the lowest point stands on the ground
+        _log_estimate(track, model.space, look.x, root)
 
 
 @contextmanager
@@ -145,28 +152,32 @@ def _recording(path: Path, name: str, layout: rrb.Blueprint) -> Iterator[rr.Reco
         yield recording
 
 
-def _log_seen(recording: rr.RecordingStream, seen: Seen, texts: Mapping[str, str]) -> Track:
+def _log_look(
+    recording: rr.RecordingStream, look: Look, frames_per_second: float, texts: Mapping[str, str]
+) -> Track:
     for entity, markdown in texts.items():
         log_text(recording, entity, markdown)
-    log_text(recording, entities.SEQUENCE, seen.name)
-    track = Track(recording, len(seen.masks), seen.frames_per_second)
-    track.masks(seen.masks)
-    track.edge_points(seen.edge_points)
-    track.bars(entities.HISTOGRAM, seen.histograms, palette.TRUE)
-    track.bars(entities.ACTIVATIONS, seen.activations, palette.ESTIMATED)
+    track = Track(recording, len(look.masks), frames_per_second)
+    track.masks(look.masks)
+    track.edge_points(look.points)
+    track.bars(entities.HISTOGRAM, look.z, palette.TRUE)
+    track.bars(entities.ACTIVATIONS, look.activations, palette.ESTIMATED)
     return track
 
 
-def _log_estimate(track: Track, seen: Seen, root: Array) -> None:
+def _log_estimate(track: Track, space: PoseSpace, x: Array, root: Array) -> None:
+    known = np.isfinite(x).all(axis=1)
+    joints = space.joints(np.nan_to_num(x)) + root[:, None]
+    joints[~known] = np.nan  # which the viewer leaves out
     track.skeleton(
         entities.ESTIMATED_SKELETON,
-        seen.space.joints(seen.estimated) + root[:, None],
-        seen.space.bones,
-        seen.space.joint_names,
+        joints,
+        space.bones,
+        space.joint_names,
         palette.ESTIMATED,
         radius=0.011,
     )
-    headings = seen.space.heading(seen.estimated)
-    track.series(entities.ESTIMATED_HEADING, headings, "estimated", palette.ESTIMATED)
-    norms = seen.space.heading_norm(seen.estimated)
-    track.series(entities.HEADING_NORM, norms, "norm of (cos, sin)", palette.ESTIMATED)
+    track.series(entities.ESTIMATED_HEADING, space.heading(x), "estimated", palette.ESTIMATED)
+    track.series(
+        entities.HEADING_NORM, space.heading_norm(x), "norm of (cos, sin)", palette.ESTIMATED
+    )

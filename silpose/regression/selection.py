@@ -113,7 +113,9 @@ class Candidates:
         chosen = Chosen()
         with bar("regression", len(widths) + len(methods)) as advance:
             search = _Search(validation, error, chosen, advance)
-            problem = search.widths(self.basis, _numbers(self.ridge.damping, "ridge.damping"), train)
+            problem = search.widths(
+                self.basis, _numbers(self.ridge.damping, "ridge.damping"), train
+            )
             if "ridge" not in methods:
                 del chosen.regressors["ridge"]
                 chosen.rows = []

@@ -2,7 +2,7 @@
 
 from silpose.silhouette.body import Body
 from silpose.silhouette.camera import Camera
-from silpose.silhouette.files import mask_files, read_mask
+from silpose.silhouette.files import mask_files, read_mask, read_masks
 from silpose.silhouette.render import render
 
-__all__ = ["Body", "Camera", "mask_files", "read_mask", "render"]
+__all__ = ["Body", "Camera", "mask_files", "read_mask", "read_masks", "render"]

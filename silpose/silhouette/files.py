@@ -43,3 +43,24 @@ def read_mask(file: str | Path) -> Mask:
     if grey is None:
         raise InputError(f"'{file}' is no image that can be read: expected a mask such as a PNG")
     return (grey > grey.max() / 2).astype(np.uint8)
+
+
+def read_masks(folder: str | Path, blank: str = "error") -> list[Mask]:
+    """Read all masks of a folder.
+
+    Parameters
+    ----------
+    folder : path
+    blank : {"error", "nan"}
+        Whether a mask without foreground is an error.
+    """
+    files = mask_files(folder)
+    masks = [read_mask(file) for file in files]
+    empty = [file for file, mask in zip(files, masks, strict=True) if not mask.any()]
+    if empty and blank == "error":
+        raise InputError(
+            f"mask '{empty[0]}' has no foreground: remove it, or ask for rows of NaN by blank=nan"
+        )
+    if len(empty) == len(files):
+        raise InputError(f"no mask in '{folder}' has a foreground")
+    return masks

@@ -1,0 +1,97 @@
+"""Poses for one's own masks."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from silpose.dataset import poses
+from silpose.errors import InputError
+from silpose.experiments.rooms import Rooms
+from silpose.experiments.single_image import describe
+from silpose.model import PoseModel, Poses
+from silpose.recording import record_prediction, texts
+from silpose.run import Run
+from silpose.silhouette import mask_files, read_masks
+
+
+def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
+    """Estimate the pose behind each mask of a folder; write them as a recording and a table.
+
+    Parameters
+    ----------
+    rooms : Rooms
+    run : Run
+    model : str or None
+        Path of a run's ``model.npz``; None trains one on the rooms' dataset first.
+    show : str
+        The method to train.
+    """
+    own = rooms.own_masks
+    if own.source is None:
+        raise InputError("whose poses? add silhouette=masks silhouette.source=FOLDER")
+    masks = read_masks(own.source, own.blank)
+    with run.stage("model"):
+        fitted = PoseModel.load(model) if model else _train(rooms, show)
+    with run.stage("prediction"):
+        look = fitted.look(masks, own.blank)
+    with run.writing("poses.csv") as path:
+        _write_csv(path, mask_files(own.source), Poses(look.x, fitted.space))
+    with run.writing("run.rrd") as path:
+        sequence = f"{len(masks)} masks of `{own.source}`"
+        record_prediction(
+            path,
+            f"{run.experiment}/{run.name}",
+            fitted,
+            look,
+            own.frames_per_second,
+            texts(sequence, run.settings, {}),
+        )
+    if not model:
+        with run.writing("model.npz") as path:
+            fitted.save(path)
+    run.write_settings()
+    run.write_metrics(Path(own.source).name, rooms.seed, {})
+
+
+def _train(rooms: Rooms, method: str) -> PoseModel:
+    data = rooms.dataset()
+    descriptor = rooms.descriptor.fit([mask for take in data.train for mask in take.masks])
+    train, validation = (
+        (describe(descriptor, takes), poses(takes)) for takes in (data.train, data.validation)
+    )
+    chosen = rooms.candidates.choose(
+        [method],
+        train,
+        validation,
+        lambda true, estimated: data.space.distance(true, estimated).mean(),
+    )
+    return PoseModel(
+        descriptor, chosen.regressors[method], data.space, data.train[0].frames_per_second
+    )
+
+
+def _write_csv(path: Path, files: Sequence[Path], estimated: Poses) -> None:
+    joints = [f"{j}_{axis}_m" for j in estimated.space.joint_names for axis in "xyz"]
+    columns = [
+        "frame",
+        "file",
+        "heading_deg",
+        "heading_norm",
+        *estimated.space.columns[2:],
+        *joints,
+    ]
+    known = np.isfinite(estimated.x).all(axis=1)
+    positions = np.full((len(estimated), len(joints)), np.nan)
+    positions[known] = Poses(estimated.x[known], estimated.space).joints.reshape(known.sum(), -1)
+    numbers = np.column_stack(
+        [estimated.heading, estimated.heading_norm, estimated.x[:, 2:], positions]
+    )
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        for frame, (image, row) in enumerate(zip(files, numbers, strict=True)):
+            writer.writerow([frame, image.name, *(f"{v:.6g}" for v in row)])

@@ -1,0 +1,36 @@
+"""What a recording says in words: the run's settings and its results."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from silpose.recording import entities
+
+_COLUMNS = {
+    "mean_angular_error_deg": ("angles, °", "{:.2f}"),
+    "heading_mean_deg": ("heading, °", "{:.1f}"),
+    "mpjpe_mm": ("joints, mm", "{:.0f}"),
+    "kept": ("kept, %", "{:.0%}"),
+}
+
+
+def texts(
+    sequence: str, settings: str, results: Mapping[str, Mapping[str, float]]
+) -> dict[str, str]:
+    """Write what was seen, settings (YAML) and headline results as markdown, by entity."""
+    return {
+        entities.SEQUENCE: sequence,
+        entities.SETTINGS: f"```yaml\n{settings}```\n",
+        entities.METRICS: f"{sequence}\n\n{results_table(results)}" if results else sequence,
+    }
+
+
+def results_table(results: Mapping[str, Mapping[str, float]]) -> str:
+    """Write the headlines as a markdown table, a row per method."""
+    shown = {n: c for n, c in _COLUMNS.items() if any(n in values for values in results.values())}
+    lines = ["| method | " + " | ".join(title for title, _ in shown.values()) + " |"]
+    lines.append("|:--|" + "--:|" * len(shown))
+    for method, values in results.items():
+        cells = [f.format(values[n]) if n in values else "" for n, (_, f) in shown.items()]
+        lines.append(f"| {method} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)

@@ -1,0 +1,60 @@
+"""What a run says in the terminal when it is done."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+from silpose.run import FinishedRun
+
+_HEADLINES = {
+    "mean_angular_error_deg": ("mean angular error", "{:.2f}°"),
+    "heading_median_deg": ("heading, median", "{:.1f}°"),
+    "heading_over_20deg": ("heading off by 20°", "{:.0%}"),
+    "mpjpe_mm": ("joints", "{:.0f} mm"),
+    "kept": ("kernels kept", "{:.0%}"),
+}
+
+
+def summarise(run: FinishedRun) -> None:
+    """Print the results of a run, and the line that opens its recording."""
+    console = Console()
+    if run.metrics:
+        console.print(results(run))
+    took = ", ".join(f"{stage} {s:.1f} s" for stage, s in run.seconds.items())
+    console.print(f"[dim]{took}[/dim]", soft_wrap=True)
+    console.print(f"Open it:  {rerun_command()} {near(run.recording)}", soft_wrap=True)
+
+
+def results(run: FinishedRun) -> Table:
+    """Lay the headlines out, a row per method."""
+    table = Table(title=f"{run.dataset}, test sequences", title_justify="left")
+    table.add_column("method")
+    present = {n for values in run.metrics.values() for n in values}
+    shown = {n: c for n, c in _HEADLINES.items() if n in present}
+    for title, _ in shown.values():
+        table.add_column(title, justify="right")
+    for method, values in run.metrics.items():
+        cells = [f.format(values[n]) if n in values else "" for n, (_, f) in shown.items()]
+        table.add_row(method, *cells)
+    return table
+
+
+def rerun_command() -> str:
+    """Name the viewer so that it can be typed here: it may live in an environment of its own."""
+    beside = Path(sys.executable).with_name("rerun")
+    if shutil.which("rerun") or not beside.exists():
+        return "rerun"
+    return near(beside)
+
+
+def near(path: Path) -> str:
+    """Shorten a path that lies below the working folder."""
+    full = os.path.abspath(path)  # not resolved: a virtual environment's links are to stay
+    below = os.path.relpath(full)
+    return full if below.startswith("..") else below
