@@ -2,41 +2,54 @@
 
 from __future__ import annotations
 
+import os
 import sys
+import warnings
 
 import hydra
 from hydra.core.hydra_config import HydraConfig
+from hydra.errors import HydraException
+from hydra.types import RunMode
 from omegaconf import DictConfig, OmegaConf
 
-from silpose.config import build, check_overrides, config_folder, furnish
+from silpose.config import build, check_overrides, config_folder, explain, furnish
 from silpose.errors import InputError
 
 _HOUSE = ("motion", "silhouette", "dataset", "descriptor", "regression", "recording")
 
 
 def main() -> None:
-    """Run ``silpose`` from the command line."""
+    """Run ``silpose`` from the command line; what goes wrong is one sentence."""
+    os.environ["HYDRA_FULL_ERROR"] = "1"  # so that Hydra leaves its errors to us
+    warnings.showwarning = lambda message, *_: print(f"silpose: {message}", file=sys.stderr)
     try:
         folder = str(config_folder())
-    except InputError as error:
-        raise SystemExit(f"silpose: {error}") from None
-    hydra.main(version_base="1.3", config_path=folder, config_name="config")(_job)()
+        hydra.main(version_base="1.3", config_path=folder, config_name="config")(_job)()
+    except Exception as error:
+        if "debug=true" in sys.argv:
+            raise
+        raise SystemExit(_sentence(error)) from None
 
 
 def _job(settings: DictConfig) -> None:
-    """Run one experiment; what goes wrong is one sentence, unless ``debug=true``."""
     try:
         check_overrides(settings, HydraConfig.get().overrides.task)
         run_experiment(settings)
     except Exception as error:
-        if settings.debug:
+        # Hydra would add lines of its own. In a sweep they say which job it was, and the other
+        # jobs go on.
+        if settings.debug or HydraConfig.get().mode == RunMode.MULTIRUN:
             raise
-        if isinstance(error, InputError):
-            raise SystemExit(f"silpose: {error}") from None
-        kind = type(error).__name__
-        raise SystemExit(
-            f"silpose: unexpected {kind}: {error} (debug=true shows where it comes from)"
-        ) from None
+        raise SystemExit(_sentence(error)) from None
+
+
+def _sentence(error: Exception) -> str:
+    if isinstance(error, InputError):
+        return f"silpose: {error}"
+    if isinstance(error, HydraException):
+        return f"silpose: {explain(error)}"
+    kind = type(error).__name__
+    return f"silpose: unexpected {kind}: {error} (debug=true shows where it comes from)"
 
 
 def run_experiment(settings: DictConfig) -> None:
@@ -48,11 +61,13 @@ def run_experiment(settings: DictConfig) -> None:
 
     rooms = furnish(settings)
     name = settings.experiment
-    own = {k: v for k, v in settings.items() if k not in (*_HOUSE, "experiment", "seed", "debug")}
+    own = {
+        str(k): v for k, v in settings.items() if k not in (*_HOUSE, "experiment", "seed", "debug")
+    }
     text = OmegaConf.to_yaml(settings, resolve=True)
     run = build(Run.start, settings.recording, "recording", experiment=name, settings=text)
     try:
-        build(EXPERIMENTS[name], own, name, rooms=rooms, run=run)
+        build(EXPERIMENTS[name], own, "", rooms=rooms, run=run)
     except BaseException:
         run.abandon()
         raise
@@ -60,4 +75,4 @@ def run_experiment(settings: DictConfig) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -6,6 +6,7 @@ Together with `silpose.app` the only place that knows Hydra.
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, make_dataclass
 from difflib import get_close_matches
@@ -13,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
 
 from hydra import compose, initialize_config_dir
+from hydra.errors import HydraException, MissingConfigException
 from omegaconf import MISSING, DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
@@ -46,9 +48,27 @@ def load(overrides: Sequence[str] = ()) -> DictConfig:
     settings : DictConfig
     """
     with initialize_config_dir(str(config_folder()), version_base="1.3", job_name="silpose"):
-        settings = compose("config", overrides=list(overrides))
+        try:
+            settings = compose("config", overrides=list(overrides))
+        except HydraException as error:
+            raise InputError(explain(error)) from error
     check_overrides(settings, overrides)
     return settings
+
+
+def explain(error: HydraException) -> str:
+    """Say in one sentence what Hydra found wrong with the overrides."""
+    message = str(error).strip()
+    if isinstance(error, MissingConfigException) and error.options:
+        group, _, choice = str(error.missing_cfg_file).rpartition("/")
+        return f"there is no {group}={choice}{_nearest(choice, error.options)}"
+    if key := re.match(r"(?:Could not override|Error merging override) '?([\w.]+)", message):
+        known = list(_names(OmegaConf.to_container(load())))
+        if key[1] not in known:
+            return f"there is no setting '{key[1]}'{_nearest(key[1], known)}"
+    if key := re.match(r"Error parsing override '(.*)'", message):
+        return f"cannot read '{key[1]}': settings are given as key=value"
+    return message.splitlines()[0]
 
 
 def check_overrides(settings: DictConfig, overrides: Sequence[str]) -> None:
@@ -56,7 +76,7 @@ def check_overrides(settings: DictConfig, overrides: Sequence[str]) -> None:
     for override in overrides:
         if override.startswith("+"):
             name = override.lstrip("+").split("=")[0]
-            known = list(_names(OmegaConf.to_container(settings)))
+            known = [n for n in _names(OmegaConf.to_container(settings)) if n != name]
             raise InputError(f"there is no setting '{name}'{_nearest(name, known)}")
 
 
@@ -68,8 +88,13 @@ def _names(tree: Any, prefix: str = "") -> Iterator[str]:
 
 
 def _nearest(name: str, known: Sequence[str]) -> str:
-    close = get_close_matches(name, known, n=1, cutoff=0.4)
-    return f"; did you mean '{close[0]}'?" if close else f"; there are {', '.join(sorted(known))}"
+    group, dot, last = name.rpartition(".")
+    beside = [k.rpartition(".")[2] for k in known if k.rpartition(".")[0] == group]
+    if not beside:  # the group itself is misspelt
+        group, dot, last, beside = "", "", name, list(known)
+    if close := get_close_matches(last, beside, n=1):
+        return f"; did you mean '{group}{dot}{close[0]}'?"
+    return f"; there are {', '.join(sorted(beside))}"
 
 
 def choose(choices: Mapping[str, Callable[..., T]], settings: Mapping[str, Any], where: str) -> T:
@@ -92,22 +117,23 @@ def build(
         Its parameters' names and types are the schema.
     settings : mapping
     where : str
-        Place of the settings in ``conf/``, for messages.
+        Their group in ``conf/``, for messages; "" if they have none.
     **given
         Further arguments, which are no settings.
     """
     parameters = inspect.signature(constructor).parameters
     target = constructor.__init__ if inspect.isclass(constructor) else constructor  # type: ignore
     hints = get_type_hints(target) or get_type_hints(constructor)
+    prefix = f"{where}." if where else ""
     values = {}
     for name, value in settings.items():
         if name not in parameters:
             raise InputError(
-                f"there is no setting '{where}.{name}'{_nearest(name, list(parameters))}"
+                f"there is no setting '{prefix}{name}'{_nearest(name, list(parameters))}"
             )
-        values[name] = _typed(f"{where}.{name}", _plain_hint(hints.get(name, Any)), value)
+        values[name] = _typed(f"{prefix}{name}", _plain_hint(hints.get(name, Any)), value)
     missing = [
-        f"{where}.{name}"
+        f"{prefix}{name}"
         for name, p in parameters.items()
         if name not in given and values.get(name, p.default) in (p.empty, "???")
     ]
@@ -123,8 +149,7 @@ def _typed(where: str, hint: Any, value: Any) -> Any:
         with_schema = OmegaConf.merge(OmegaConf.structured(schema), {"value": value})
         typed = OmegaConf.to_container(with_schema)
     except OmegaConfBaseException as error:
-        expected = getattr(hint, "__name__", None) or str(hint)
-        raise InputError(f"'{where}' is to be {expected}, not {value!r}") from error
+        raise InputError(f"'{where}' is to be {_in_words(hint)}, not {value!r}") from error
     assert isinstance(typed, dict)
     return typed["value"]
 
@@ -142,6 +167,14 @@ def _plain_hint(hint: Any) -> Any:
     return Any
 
 
+def _in_words(hint: Any) -> str:
+    if arguments := get_args(hint):
+        words = [_in_words(a) for a in arguments]
+        return f"a list like [{words[0]}, …]" if get_origin(hint) is list else " or ".join(words)
+    words_of = {int: "a whole number", float: "a number", str: "text", bool: "true or false"}
+    return words_of.get(hint, "null")
+
+
 def furnish(settings: DictConfig) -> Rooms:
     """Build every room from its settings."""
     from silpose.dataset import SamePerformer
@@ -153,9 +186,9 @@ def furnish(settings: DictConfig) -> Rooms:
 
     plain = OmegaConf.to_container(settings, resolve=True)
     assert isinstance(plain, dict)
+    seed = _typed("seed", int, plain["seed"])
     silhouette, regression = plain["silhouette"], plain["regression"]
     body, camera = silhouette.pop("body"), silhouette.pop("camera")
-    descriptors = {"shape_context": ShapeContextHistogram}
     parts = {"basis": BasisSettings, "ridge": RidgeSettings, "rvm": RvmSettings}
     sources = {"walker": WalkerTakes, "bvh": BvhFolder}
     return Rooms(
@@ -171,5 +204,5 @@ def furnish(settings: DictConfig) -> Rooms:
         candidates=Candidates(
             **{n: build(kind, regression[n], f"regression.{n}") for n, kind in parts.items()}
         ),
-        seed=plain["seed"],
+        seed=seed,
     )

@@ -20,7 +20,7 @@ from silpose.regression import REGRESSORS, Regressor
 from silpose.silhouette import read_masks
 
 Array = NDArray[np.float64]
-Masks = str | Path | ArrayLike | Sequence[NDArray[np.uint8]]
+Masks = NDArray[Any] | Sequence[ArrayLike]
 
 FORMAT = 1
 
@@ -101,7 +101,7 @@ class PoseModel:
     space: PoseSpace
     frames_per_second: float
 
-    def fit(self, masks: ArrayLike, x: ArrayLike) -> PoseModel:
+    def fit(self, masks: Masks, x: ArrayLike) -> PoseModel:
         """Learn the codebook and the regression.
 
         Parameters
@@ -114,7 +114,7 @@ class PoseModel:
         self.regressor.fit(z, np.asarray(x))
         return self
 
-    def predict(self, masks: Masks, blank: str = "error") -> Poses:
+    def predict(self, masks: str | Path | Masks, blank: str = "error") -> Poses:
         """Estimate the pose behind each mask.
 
         Parameters
@@ -125,11 +125,11 @@ class PoseModel:
         """
         return Poses(self.look(masks, blank).x, self.space)
 
-    def look(self, masks: Masks, blank: str = "error") -> Look:
+    def look(self, masks: str | Path | Masks, blank: str = "error") -> Look:
         """Estimate poses as `predict` does, and keep every step."""
         if isinstance(masks, str | Path):
             masks = read_masks(masks, blank)
-        frames = list(masks)  # type: ignore[arg-type]
+        frames = [np.asarray(mask) for mask in masks]
         if blank == "error":
             seen = np.arange(len(frames))  # the descriptor names a blank one
         elif blank == "nan":
@@ -177,7 +177,7 @@ class PoseModel:
             with np.load(path, allow_pickle=False) as file:
                 arrays: dict[str, Any] = dict(file)
             header = json.loads(str(arrays.pop("header")))
-        except (ValueError, OSError, KeyError, zipfile.BadZipFile) as error:
+        except (ValueError, OSError, EOFError, KeyError, zipfile.BadZipFile) as error:
             raise InputError(f"'{path}' is no silpose model: give a run's model.npz") from error
         if header["format"] != FORMAT:
             raise InputError(

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic
 
+from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 _PATIENCE = 2.0  # seconds without a bar
@@ -24,7 +25,11 @@ def bar(what: str, total: int) -> Iterator[Callable[[int], None]]:
     """
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
     started = monotonic()
-    with Progress(*columns, TimeRemainingColumn(), transient=True) as progress:
+    console = Console(stderr=True)
+    unseen = not (console.is_terminal or console.is_jupyter)
+    with Progress(
+        *columns, TimeRemainingColumn(), console=console, transient=True, disable=unseen
+    ) as progress:
         task = progress.add_task(what, total=total, visible=False)
 
         def advance(items: int = 1) -> None:

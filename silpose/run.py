@@ -41,6 +41,8 @@ class Run:
     @classmethod
     def start(cls, root: str, experiment: str, name: str | None = None, settings: str = "") -> Run:
         """Make the run's folder below a root; without a name it gets the next free number."""
+        if name is not None and Path(name).name != name:
+            raise InputError(f"recording.name is the name of one folder, not '{name}'")
         parent = Path(root) / experiment
         try:
             parent.mkdir(parents=True, exist_ok=True)
@@ -64,8 +66,9 @@ class Run:
         """Remove the folder if nothing was finished in it."""
         for partial in self.folder.glob(".*.partial"):
             partial.unlink()
-        if not any(self.folder.iterdir()):
-            self.folder.rmdir()
+        for folder in (self.folder, self.folder.parent):
+            if not any(folder.iterdir()):
+                folder.rmdir()
 
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:

@@ -13,11 +13,11 @@ from rich.table import Table
 from silpose.run import FinishedRun
 
 _HEADLINES = {
-    "mean_angular_error_deg": ("mean angular error", "{:.2f}°"),
-    "heading_median_deg": ("heading, median", "{:.1f}°"),
-    "heading_over_20deg": ("heading off by 20°", "{:.0%}"),
+    "mean_angular_error_deg": ("angles", "{:.2f}°"),
+    "heading_median_deg": ("heading", "{:.1f}°"),
+    "heading_over_20deg": ("off by 20°", "{:.0%}"),
     "mpjpe_mm": ("joints", "{:.0f} mm"),
-    "kept": ("kernels kept", "{:.0%}"),
+    "kept": ("kernels", "{:.0%}"),
 }
 
 
@@ -33,7 +33,7 @@ def summarise(run: FinishedRun) -> None:
 
 def results(run: FinishedRun) -> Table:
     """Lay the headlines out, a row per method."""
-    table = Table(title=f"{run.dataset}, test sequences", title_justify="left")
+    table = Table(title=f"{run.dataset}: errors on unseen sequences", title_justify="left")
     table.add_column("method")
     present = {n for values in run.metrics.values() for n in values}
     shown = {n: c for n, c in _HEADLINES.items() if n in present}

@@ -38,7 +38,7 @@ def test_a_wrong_name_or_type_is_named():
     assert build(room, {"names": None}, "room") == (1, None, None)
     with pytest.raises(InputError, match=r"no setting 'room\.sise'; did you mean 'size'"):
         build(room, {"sise": 3}, "room")
-    with pytest.raises(InputError, match=r"'room\.size' is to be int, not 'big'"):
+    with pytest.raises(InputError, match=r"'room\.size' is to be a whole number, not 'big'"):
         build(room, {"size": "big"}, "room")
 
 

@@ -50,7 +50,7 @@ def boundary_pixels(mask: NDArray[np.uint8]) -> tuple[Pixels, Pixels]:
     """
     contours, _ = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
     lengths = np.array([len(contour) for contour in contours], dtype=np.int32)
-    return np.concatenate(contours).reshape(-1, 2), lengths
+    return np.concatenate(contours).reshape(-1, 2).astype(np.int32, copy=False), lengths
 
 
 @numba.njit(cache=True, nogil=True)

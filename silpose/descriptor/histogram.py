@@ -24,7 +24,7 @@ from silpose.descriptor.codebook import (
 from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
 from silpose.errors import InputError
 
-Masks = ArrayLike | Sequence[NDArray[Any]]
+Masks = NDArray[Any] | Sequence[ArrayLike]
 
 _table = lru_cache(maxsize=8)(sector_table)
 
@@ -215,7 +215,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
 def _checked(masks: Masks) -> list[NDArray[np.uint8]]:
     if isinstance(masks, np.ndarray) and masks.ndim != 3:
         raise InputError(f"masks have shape {masks.shape}: expected (n, height, width)")
-    checked = [as_mask(mask, index) for index, mask in enumerate(masks)]  # type: ignore[arg-type]
+    checked = [as_mask(mask, index) for index, mask in enumerate(masks)]
     if not checked:
         raise InputError("there are no masks")
     return checked

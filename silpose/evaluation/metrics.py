@@ -75,7 +75,7 @@ def procrustes_distances(space: PoseSpace, true: Array, estimated: Array) -> Arr
 def moving_angles(space: AnglePoseSpace, training: Array) -> NDArray[np.bool_]:
     """Tell which of the 54 angles vary by more than a degree in training, shape (54,)."""
     moving = space.angles(training).std(axis=0) > _MOVING_DEG
-    resultant = np.linalg.norm(training[:, :2].mean(axis=0))  # the heading is on a circle
+    resultant = float(np.linalg.norm(training[:, :2].mean(axis=0)))  # the heading is on a circle
     moving[0] = np.sqrt(max(-2 * np.log(max(resultant, 1e-12)), 0)) > np.deg2rad(_MOVING_DEG)
     return moving
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +22,7 @@ def single_image_figure(
     path: Path,
     space: PoseSpace,
     camera: Camera,
-    masks: Sequence[NDArray[np.uint8]],
+    masks: NDArray[np.uint8],
     true: Array,
     estimated: Array,
     offset: Array,
@@ -37,7 +37,7 @@ def single_image_figure(
         Of the PNG.
     space : PoseSpace
     camera : Camera
-    masks : sequence of ndarray, each (H, W)
+    masks : ndarray, shape (F, H, W)
     true, estimated : ndarray, shape (F, D)
     offset : ndarray, shape (F, 3)
         Of the root from what the camera looks at, metres.
@@ -47,7 +47,8 @@ def single_image_figure(
         Whose estimates these are.
     """
     figure = Figure(figsize=(11, 7.5), layout="constrained")
-    samples, series, bars = figure.subfigures(3, 1, height_ratios=[1.35, 1.5, 1])
+    grid = figure.add_gridspec(3, 1, height_ratios=[1.35, 1.5, 1])
+    samples, series, bars = (figure.add_subfigure(grid[row]) for row in range(3))
     frames = np.linspace(0, len(true) - 1, 7).astype(int)
     for axes, frame in zip(samples.subplots(1, len(frames)), frames, strict=True):
         axes.imshow(1 - 0.25 * np.asarray(masks[frame]), cmap="gray", vmin=0, vmax=1)

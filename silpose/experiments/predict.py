@@ -14,6 +14,7 @@ from silpose.experiments.rooms import Rooms
 from silpose.experiments.single_image import describe
 from silpose.model import PoseModel, Poses
 from silpose.recording import record_prediction, texts
+from silpose.regression import check_methods
 from silpose.run import Run
 from silpose.silhouette import mask_files, read_masks
 
@@ -30,9 +31,10 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
     show : str
         The method to train.
     """
+    check_methods([show])
     own = rooms.own_masks
     if own.source is None:
-        raise InputError("whose poses? add silhouette=masks silhouette.source=FOLDER")
+        raise InputError("predict wants masks: add silhouette=masks silhouette.source=FOLDER")
     masks = read_masks(own.source, own.blank)
     with run.stage("model"):
         fitted = PoseModel.load(model) if model else _train(rooms, show)

@@ -17,6 +17,7 @@ from silpose.experiments.rooms import Rooms
 from silpose.model import PoseModel
 from silpose.progress import bar
 from silpose.recording import Truth, record_single_image, texts
+from silpose.regression import check_methods
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -34,6 +35,9 @@ def single_image(rooms: Rooms, run: Run, methods: Sequence[str], show: str) -> N
     show : str
         The method to draw and to keep.
     """
+    if rooms.own_masks.source is not None:
+        raise InputError("one's own masks have no true poses to learn: add experiment=predict")
+    check_methods(methods)
     if show not in methods:
         raise InputError(f"show={show} is none of the methods {', '.join(methods)}")
     with run.stage("masks"):

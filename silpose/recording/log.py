@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import rerun as rr
@@ -61,7 +62,6 @@ class Track:
                 camera_xyz=rr.ViewCoordinates.RDF,
                 image_plane_distance=1.0,
                 color=palette.NEUTRAL,
-                line_width=rr.Radius.ui_points(0.5),
             ),
             static=True,
         )
@@ -82,7 +82,7 @@ class Track:
             static=True,
         )
 
-    def edge_points(self, points: Sequence[Array]) -> None:
+    def edge_points(self, points: Sequence[NDArray[Any]]) -> None:
         """Log the edge points, per frame (P, 2) in pixels."""
         self._recording.log(
             entities.EDGE_POINTS,
@@ -124,7 +124,7 @@ class Track:
         ends = joints[:, np.asarray(bones)]
         self._columns(
             entity,
-            rr.LineStrips3D.columns(strips=ends.reshape(-1, 2, 3)),
+            rr.LineStrips3D.columns(strips=ends.reshape(-1, 2, 3).astype(np.float32)),
             [len(bones)] * self._frames,
         )
 

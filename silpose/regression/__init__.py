@@ -18,6 +18,7 @@ from silpose.regression.selection import (
     Chosen,
     RidgeSettings,
     RvmSettings,
+    check_methods,
 )
 
 REGRESSORS: dict[str, type[Regressor]] = {
@@ -35,4 +36,5 @@ __all__ = [
     "RidgeRegressor",
     "RidgeSettings",
     "RvmSettings",
+    "check_methods",
 ]

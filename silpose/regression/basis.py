@@ -82,7 +82,7 @@ class GaussianBasis(TransformerMixin, BaseEstimator):
         squared *= -self.beta_
         return np.exp(squared, out=squared)
 
-    def restrict(self, kept: ArrayLike) -> GaussianBasis:
+    def restrict(self, kept: NDArray[np.intp]) -> GaussianBasis:
         """Give the same basis with some of its kernels only."""
         basis = GaussianBasis(self.centres, self.width, self.hellinger, self.random_state)
         basis.indices_, basis.centres_ = self.indices_[kept], self.centres_[kept]
@@ -105,9 +105,9 @@ class GaussianBasis(TransformerMixin, BaseEstimator):
         return basis
 
     def _roots(self, z: ArrayLike) -> Array:
-        z = check_array(z, dtype=float)
+        inputs: Array = check_array(z, dtype=float)
         if not self.hellinger:
-            return z
-        if z.min() < 0:
+            return inputs
+        if inputs.min() < 0:
             raise InputError("square roots need histograms: negative inputs want hellinger=False")
-        return np.sqrt(z)
+        return np.sqrt(inputs)

@@ -38,11 +38,11 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         z : array-like, shape (n, d)
         x : array-like, shape (n, m)
         """
-        z, x = check_X_y(z, x, dtype=float, multi_output=True, y_numeric=True)
-        basis = (self.basis if self.basis is not None else GaussianBasis()).fit(z)
-        outputs = x if x.ndim == 2 else x[:, None]
-        self._single = x.ndim == 1
-        self.fit_system(basis, NormalEquations.of(basis.transform(z), outputs))
+        inputs, outputs = check_X_y(z, x, dtype=float, multi_output=True, y_numeric=True)
+        basis = (self.basis if self.basis is not None else GaussianBasis()).fit(inputs)
+        self._single = outputs.ndim == 1
+        columns = outputs[:, None] if self._single else outputs
+        self.fit_system(basis, NormalEquations.of(basis.transform(inputs), columns))
         return self
 
     def fit_system(self, basis: GaussianBasis, system: NormalEquations) -> None:

@@ -36,12 +36,18 @@ class BasisSettings:
     random_state: int | None = 0
     width: float | list[float] = field(default_factory=lambda: [1.0, 2.0, 4.0, 8.0])
 
+    def __post_init__(self) -> None:
+        _numbers(self.width, "basis.width")
+
 
 @dataclass(frozen=True)
 class RidgeSettings:
     """The λ, or those to choose from."""
 
     damping: float | list[float] = field(default_factory=lambda: [0.01, 0.03, 0.1, 0.3, 1.0])
+
+    def __post_init__(self) -> None:
+        _numbers(self.damping, "ridge.damping")
 
 
 @dataclass(frozen=True)
@@ -55,6 +61,9 @@ class RvmSettings:
     slack: float = 0.03
     max_iter: int = 200
     tol: float = 1e-2
+
+    def __post_init__(self) -> None:
+        _numbers(self.nu, "rvm.nu")
 
 
 @dataclass
@@ -190,6 +199,12 @@ class _Search:
         row = {"method": method, **settings, "kept": regressor.kept_, "validation_error": error}
         self.chosen.rows.append(row)
         return error
+
+
+def check_methods(methods: Sequence[str]) -> None:
+    """Refuse a name that is no method, before hours are spent on the others."""
+    for method in methods:
+        _share(method)
 
 
 def _share(method: str) -> float | None:

@@ -24,7 +24,7 @@ def mask_files(folder: str | Path) -> list[Path]:
     files = [f for f in folder.iterdir() if f.suffix.lower() in SUFFIXES]
     if not files:
         raise InputError(f"folder '{folder}' holds no masks: expected {', '.join(SUFFIXES)} files")
-    return sorted(files, key=lambda f: [int(p) if p.isdigit() else p for p in _parts(f.stem)])
+    return sorted(files, key=lambda f: [int(p) if p.isdecimal() else p for p in _parts(f.stem)])
 
 
 def _parts(stem: str) -> list[str]:
