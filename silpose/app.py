@@ -33,14 +33,21 @@ def main() -> None:
 
 def _job(settings: DictConfig) -> None:
     try:
-        check_overrides(settings, HydraConfig.get().overrides.task)
+        overrides = HydraConfig.get().overrides.task
+        check_overrides(settings, overrides)
+        if _in_sweep():
+            print(*overrides)
         run_experiment(settings)
     except Exception as error:
         # Hydra would add lines of its own. In a sweep they say which job it was, and the other
         # jobs go on.
-        if settings.debug or HydraConfig.get().mode == RunMode.MULTIRUN:
+        if settings.debug or _in_sweep():
             raise
         raise SystemExit(_sentence(error)) from None
+
+
+def _in_sweep() -> bool:
+    return HydraConfig.get().mode == RunMode.MULTIRUN
 
 
 def _sentence(error: Exception) -> str:

@@ -83,7 +83,7 @@ def _write_csv(path: Path, files: Sequence[Path], estimated: Poses) -> None:
         "file",
         "heading_deg",
         "heading_norm",
-        *estimated.space.columns[2:],
+        *(f"{column}_deg" for column in estimated.space.columns[2:]),
         *joints,
     ]
     known = np.isfinite(estimated.x).all(axis=1)

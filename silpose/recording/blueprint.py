@@ -90,8 +90,8 @@ def _body_view(name: str) -> rrb.Spatial3DView:
         ),
         eye_controls=rrb.EyeControls3D(
             kind=rrb.Eye3DKind.Orbital,
-            position=[1.5, 1.5, 2.6],
-            look_target=[0.0, 0.9, 0.0],
+            position=[0.95, 1.15, 2.0],
+            look_target=[0.0, 0.85, 0.0],
             eye_up=[0, 1, 0],
         ),
     )

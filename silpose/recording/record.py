@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -76,7 +77,7 @@ def record_single_image(
     ----------
     path : Path
     name : str
-        Of the run: becomes the recording's id, so that no two runs merge in the viewer.
+        Of the run, as the viewer shows it.
     model : PoseModel
     look : Look
         What it made of the masks.
@@ -87,8 +88,8 @@ def record_single_image(
         Markdown by entity.
     """
     space, rate = model.space, model.frames_per_second
-    with _recording(path, name, blueprint.single_image(shown, rate)) as recording:
-        track = _log_look(recording, look, rate, texts)
+    with _recording(path, name, texts, blueprint.single_image(shown, rate)) as recording:
+        track = _log_look(recording, look, rate)
         track.camera(truth.camera, truth.aim)
         _log_estimate(track, space, look.x, truth.root)
         track.skeleton(
@@ -131,8 +132,8 @@ def record_prediction(
     texts : mapping of str to str
         Markdown by entity.
     """
-    with _recording(path, name, blueprint.predict(frames_per_second)) as recording:
-        track = _log_look(recording, look, frames_per_second, texts)
+    with _recording(path, name, texts, blueprint.predict(frames_per_second)) as recording:
+        track = _log_look(recording, look, frames_per_second)
         height, width = np.max([np.shape(mask) for mask in look.masks], axis=0)
         track.image_plane(int(width), int(height))
         root = np.zeros((len(look.x), 3))
@@ -142,21 +143,23 @@ def record_prediction(
 
 
 @contextmanager
-def _recording(path: Path, name: str, layout: rrb.Blueprint) -> Iterator[rr.RecordingStream]:
-    # A stream of its own: rr.init would give all jobs of one process the same recording id.
-    with rr.RecordingStream(APPLICATION, recording_id=name) as recording:
+def _recording(
+    path: Path, name: str, texts: Mapping[str, str], layout: rrb.Blueprint
+) -> Iterator[rr.RecordingStream]:
+    # A stream of its own: rr.init would give all jobs of one process the same recording id. The
+    # settings go into the id, since runs of the same name under two roots are not the same run.
+    digest = zlib.crc32(texts.get(entities.SETTINGS, "").encode())
+    with rr.RecordingStream(APPLICATION, recording_id=f"{name}/{digest:08x}") as recording:
         recording.save(path, default_blueprint=layout)
         recording.set_log_time_enabled(False)  # the same run gives the same recording
         recording.send_recording_name(name)
         recording.log("/", rr.ViewCoordinates.RIGHT_HAND_Y_UP, static=True)
+        for entity, markdown in texts.items():
+            log_text(recording, entity, markdown)
         yield recording
 
 
-def _log_look(
-    recording: rr.RecordingStream, look: Look, frames_per_second: float, texts: Mapping[str, str]
-) -> Track:
-    for entity, markdown in texts.items():
-        log_text(recording, entity, markdown)
+def _log_look(recording: rr.RecordingStream, look: Look, frames_per_second: float) -> Track:
     track = Track(recording, len(look.masks), frames_per_second)
     track.masks(look.masks)
     track.edge_points(look.points)

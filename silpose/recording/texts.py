@@ -10,7 +10,7 @@ _COLUMNS = {
     "mean_angular_error_deg": ("angles, °", "{:.2f}"),
     "heading_mean_deg": ("heading, °", "{:.1f}"),
     "mpjpe_mm": ("joints, mm", "{:.0f}"),
-    "kept": ("kept, %", "{:.0%}"),
+    "kept": ("kept", "{:.0%}"),
 }
 
 
