@@ -3,6 +3,7 @@
 import os
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
@@ -51,6 +52,40 @@ def camera():
 def sequence(body, camera):
     """40 frames of a small person, masks 96 x 96."""
     return photograph(motion("swinging", 40), body, camera)
+
+
+FAST = (
+    "motion.seconds=3",
+    "motion.test_seconds=3",
+    "silhouette.camera.width=96",
+    "silhouette.camera.height=96",
+    "descriptor.codebook_size=40",
+    "regression.basis.width=[2]",
+    "regression.ridge.damping=[0.1]",
+    "methods=[ridge,rvm_20]",
+    "show=rvm_20",
+)
+
+
+@pytest.fixture(scope="session")
+def finished(tmp_path_factory):
+    """A finished run of the whole experiment, a few seconds of motion in small images."""
+    from silpose.app import run_experiment
+    from silpose.config import load
+    from silpose.run import load_run
+
+    root = tmp_path_factory.mktemp("recordings")
+    run_experiment(load([*FAST, f"recording.root={root}", "recording.name=small"]))
+    return load_run(root / "single_image" / "small")
+
+
+@pytest.fixture(scope="session")
+def mask_folder(tmp_path_factory, sequence):
+    """A folder of 12 masks of a person, the sixth of them blank."""
+    folder = tmp_path_factory.mktemp("masks")
+    for frame, mask in enumerate(sequence.masks[:12]):
+        cv2.imwrite(str(folder / f"{frame}.png"), 255 * mask * (frame != 5))
+    return folder
 
 
 @pytest.fixture(scope="session")

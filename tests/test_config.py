@@ -1,10 +1,16 @@
+import inspect
 from itertools import product
 
 import pytest
 from omegaconf import OmegaConf
 
 from silpose.config import build, config_folder, load
+from silpose.dataset import SamePerformer
+from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
+from silpose.motion import WalkerTakes
+from silpose.regression import BasisSettings, RidgeSettings, RvmSettings
+from silpose.silhouette import Body, Camera
 
 CHOICES = sorted(
     (file.parent.name, file.stem)
@@ -48,3 +54,23 @@ def test_what_must_be_given_is_asked_for():
 
     with pytest.raises(InputError, match=r"'room\.root' is not set"):
         build(room, {}, "room")
+
+
+def test_conf_holds_the_constructors_own_defaults():
+    plain = OmegaConf.to_container(load(), resolve=True)
+    pairs = [
+        (WalkerTakes, plain["motion"]),
+        (Camera, plain["silhouette"]["camera"]),
+        (Body, plain["silhouette"]["body"]),
+        (SamePerformer, plain["dataset"]),
+        (ShapeContextHistogram, plain["descriptor"]),
+        (BasisSettings, plain["regression"]["basis"]),
+        (RidgeSettings, plain["regression"]["ridge"]),
+        (RvmSettings, plain["regression"]["rvm"]),
+    ]
+    for constructor, settings in pairs:
+        parameters, made = inspect.signature(constructor).parameters, constructor()
+        for name, value in settings.items():
+            if name in parameters:
+                own = getattr(made, name, parameters[name].default)
+                assert own == value or list(own) == value, f"{constructor.__name__}.{name}"

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 _ZERO = 1e-3  # a column counts as zero below this share of the largest column's norm
 _START_DAMPING = 0.01  # of the ridge regression that starts the continuation
 _STEP = 2.0  # factor between the ν's of the path to a wanted sparsity
+_WEAKER = 40  # weaker ν's tried at most where the first one removes too much
 _HALVINGS = 5  # of the last step, to come near the wanted sparsity
 
 
@@ -100,7 +101,7 @@ def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol
 def sparsest_within(
     system: NormalEquations, count: int, nu: float, start: Bridges, max_iter: int, tol: float
 ) -> tuple[float, Bridges]:
-    """Raise ν until at most `count` columns are kept, and come as near to that as possible.
+    """Find a ν that keeps at most `count` columns, and comes as near to that as possible.
 
     Each ν starts from the end of the one before: a path along decreasing density, on which
     columns leave one after the other, and which ends in better minima than a start from ridge.
@@ -121,12 +122,20 @@ def sparsest_within(
     nu : float
     end : Bridges
     """
-    low, dense = nu / _STEP, start
-    while True:
-        sparse = cross(system, dense, nu, max_iter, tol)
-        if len(sparse.kept) <= count:
+    sparse = cross(system, start, nu, max_iter, tol)
+    low, dense = nu, start
+    for _ in range(_WEAKER):  # the first ν may be too strong for a small problem
+        if len(sparse.kept) >= min(count, len(start.kept)):
             break
+        low = nu / _STEP
+        state = cross(system, start, low, max_iter, tol)
+        if len(state.kept) > count:
+            dense = state
+            break
+        nu, sparse = low, state
+    while len(sparse.kept) > count:
         low, dense, nu = nu, sparse, nu * _STEP
+        sparse = cross(system, dense, nu, max_iter, tol)
     for _ in range(_HALVINGS):
         if len(sparse.kept) == count:
             break

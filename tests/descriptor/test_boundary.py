@@ -1,0 +1,65 @@
+import numpy as np
+import pytest
+
+from silpose.descriptor.boundary import as_mask, boundary_pixels, spaced_indices
+from silpose.errors import InputError
+
+
+def test_components_and_holes_all_belong_to_the_boundary():
+    mask = np.zeros((40, 60), np.uint8)
+    mask[5:35, 5:30] = 1
+    mask[15:25, 12:22] = 0  # a hole
+    mask[10:20, 45:55] = 1  # another component
+    pixels, lengths = boundary_pixels(mask)
+    assert len(lengths) == 3
+    assert lengths.sum() == len(pixels)
+    assert any(10 < x < 24 and 10 < y < 30 for x, y in pixels)
+    assert any(x >= 45 for x, _ in pixels)
+
+
+def test_points_are_regular_along_the_contour():
+    mask = np.zeros((120, 120), np.uint8)
+    mask[10:110, 10:110] = 1  # 4 sides of 99 steps
+    pixels, lengths = boundary_pixels(mask)
+    points = pixels[spaced_indices(pixels, lengths, 44)].astype(float)
+    steps = np.abs(np.diff(points, axis=0)).sum(axis=1)
+    np.testing.assert_array_equal(steps, 9)
+
+
+def test_long_contours_get_more_points():
+    mask = np.zeros((120, 240), np.uint8)
+    mask[10:110, 10:110] = 1
+    mask[50:60, 150:160] = 1
+    pixels, lengths = boundary_pixels(mask)
+    points = pixels[spaced_indices(pixels, lengths, 100)]
+    assert 5 <= (points[:, 0] > 130).sum() <= 12  # 36 of 432 steps
+
+
+@pytest.mark.parametrize("count", [1, 7, 500])
+def test_a_single_pixel_is_a_contour(count):
+    mask = np.zeros((9, 9), np.uint8)
+    mask[4, 5] = 1
+    pixels, lengths = boundary_pixels(mask)
+    assert (pixels[spaced_indices(pixels, lengths, count)] == (5, 4)).all()
+
+
+@pytest.mark.parametrize("kind", [bool, np.uint8, np.int64, np.float32])
+def test_any_kind_of_zeros_and_ones_is_a_mask(kind):
+    mask = np.eye(5).astype(kind)
+    np.testing.assert_array_equal(as_mask(mask, 0) != 0, np.eye(5) != 0)
+
+
+@pytest.mark.parametrize(
+    ("mask", "complaint"),
+    [
+        (np.zeros((5, 5)), "mask 3 has no foreground"),
+        (np.full((5, 5), 0.5), "floats other than 0 and 1"),
+        (np.full((5, 5), np.nan), "floats other than 0 and 1"),
+        (np.ones((5, 5, 3)), r"shape \(5, 5, 3\)"),
+        (np.ones((0, 5)), r"shape \(0, 5\)"),
+        (np.full((2, 2), "a"), "type <U1"),
+    ],
+)
+def test_what_is_no_mask_is_named(mask, complaint):
+    with pytest.raises(InputError, match=complaint):
+        as_mask(mask, 3)

@@ -1,0 +1,68 @@
+import numpy as np
+import pytest
+
+from silpose.errors import InputError
+from silpose.regression import (
+    BasisSettings,
+    Candidates,
+    RidgeSettings,
+    RvmSettings,
+    check_methods,
+)
+
+
+def mean_error(true, estimated):
+    return np.abs(true - estimated).mean()
+
+
+@pytest.fixture(scope="module")
+def candidates():
+    return Candidates(
+        BasisSettings(width=[0.5, 4.0]),
+        RidgeSettings(damping=[0.01, 1.0]),
+        RvmSettings(nu=[0.05, 0.2, 0.8], slack=0.1),
+    )
+
+
+@pytest.fixture(scope="module")
+def chosen(candidates, smooth):
+    return candidates.choose(["ridge", "rvm", "rvm_10"], *smooth, mean_error)
+
+
+def test_ridge_is_the_best_on_validation(chosen, smooth):
+    _, (z, x) = smooth
+    tried = [row for row in chosen.rows if row["method"] == "ridge"]
+    assert len(tried) == 4
+    best = min(tried, key=lambda row: row["validation_error"])
+    assert chosen.regressors["ridge"].damping == best["damping"]
+    assert mean_error(x, chosen.regressors["ridge"].predict(z)) == best["validation_error"]
+
+
+def test_rvm_is_the_sparsest_within_the_slack(chosen):
+    tried = [row for row in chosen.rows if row["method"] == "rvm"]
+    bound = 1.1 * min(row["validation_error"] for row in tried)
+    good = [row["kept"] for row in tried if row["validation_error"] <= bound]
+    assert len(tried) == 3
+    assert chosen.regressors["rvm"].kept_ == min(good)
+
+
+def test_rvm_n_keeps_at_most_n_percent(chosen):
+    assert 0.05 <= chosen.regressors["rvm_10"].kept_ <= 0.10
+
+
+def test_only_and_all_methods_asked_for(candidates, smooth):
+    only = candidates.choose(["rvm_50", "rvm_20"], *smooth, mean_error)
+    assert list(only.regressors) == ["rvm_50", "rvm_20"]
+    assert {row["method"] for row in only.rows} == {"rvm_50", "rvm_20"}
+    assert only.regressors["rvm_20"].kept_ <= 0.2 < only.regressors["rvm_50"].kept_ <= 0.5
+
+
+def test_wrong_names_and_numbers_are_refused_at_once():
+    for wrong in ("svn", "rvm_", "rvm_0", "rvm_101", "ridge_3"):
+        with pytest.raises(InputError, match=f"no method '{wrong}'"):
+            check_methods(["ridge", wrong])
+    for settings in (BasisSettings, RidgeSettings, RvmSettings):
+        name = {BasisSettings: "width", RidgeSettings: "damping", RvmSettings: "nu"}[settings]
+        for value in ([], [1, -1], "many"):
+            with pytest.raises(InputError, match=f"{name} is to be positive numbers"):
+                settings(**{name: value})

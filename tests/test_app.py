@@ -1,0 +1,128 @@
+import csv
+import subprocess
+import sys
+
+import cv2
+import numpy as np
+import pytest
+from conftest import FAST
+
+from silpose.app import main
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch, capfd):
+    """Run the command in an empty folder; give exit status, output and error output."""
+    monkeypatch.chdir(tmp_path)
+
+    def command(*arguments):
+        monkeypatch.setattr(sys, "argv", ["silpose", *arguments])
+        try:
+            main()
+            status = 0
+        except SystemExit as stop:
+            status = stop.code
+        out, err = capfd.readouterr()
+        return status, out, err
+
+    return command
+
+
+def test_a_whole_run_says_how_to_open_it(run, tmp_path):
+    status, out, _ = run(*FAST)
+    assert status == 0
+    assert "rvm_20" in out
+    assert "recordings/single_image/001/run.rrd" in out
+    assert {f.name for f in (tmp_path / "recordings/single_image/001").iterdir()} == {
+        "config.yaml",
+        "metrics.json",
+        "model.npz",
+        "results.csv",
+        "run.rrd",
+        "single_image.png",
+    }
+
+
+def test_a_sweep_gives_every_job_its_folder_and_recording(run, tmp_path):
+    from rerun.chunk import RrdReader
+
+    status, _, _ = run("-m", *FAST, "regression.ridge.damping=0.01,10")
+    assert status == 0
+    folders = sorted((tmp_path / "recordings/single_image").iterdir())
+    assert [f.name for f in folders] == ["001", "002"]
+    assert "damping: 10" in (folders[1] / "config.yaml").read_text()
+    ids = [entry.recording_id for f in folders for entry in RrdReader(f / "run.rrd").recordings()]
+    assert len(set(ids)) == len(ids) == 2
+
+
+def test_ones_own_masks_by_a_saved_model(run, finished, mask_folder, tmp_path):
+    masks = ["experiment=predict", "silhouette=masks", f"silhouette.source={mask_folder}"]
+    status, _, _ = run(*masks, f"model={finished.folder}", "silhouette.blank=nan")
+    assert status == 0
+    with (tmp_path / "recordings/predict/001/poses.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["file"] for row in rows] == [f"{frame}.png" for frame in range(12)]
+    assert [row["heading_deg"] == "nan" for row in rows] == [frame == 5 for frame in range(12)]
+    assert {row["root_y_m"] for row in rows} == {"0", "nan"}
+
+
+WRONG = {
+    "motion=bvh": "'motion.root' is not set",
+    "motion=bvh motion.root=nowhere": "nowhere",
+    "motion=bvh motion.root=empty": "empty: no .bvh files",
+    "motion=bvh motion.root=text": "text/a.bvh",
+    "motion=walkr": "there is no motion=walkr; did you mean 'walker'?",
+    "motion.secnds=3": "no setting 'motion.secnds'; did you mean 'motion.seconds'?",
+    "+motion.second=3": "no setting 'motion.second'; did you mean 'motion.seconds'?",
+    "seed=x": "'seed' is to be a whole number, not 'x'",
+    "nonsense": "cannot read 'nonsense'",
+    "descriptor.edge_points=many": "'descriptor.edge_points' is to be a whole number",
+    "descriptor.kind=hog": "no 'descriptor.kind=hog'",
+    "regression.rvm.nu=-1": "regression.rvm.nu is to be positive numbers",
+    "methods=[ridge,foo]": "no method 'foo'",
+    "show=knn": "show=knn is none of the methods",
+    "dataset.test=[zzz]": "no take matches 'zzz' in dataset.test",
+    "silhouette.camera.distance=-1": "distance must be positive",
+    "silhouette.body.shape=[1,2]": "10 coefficients, not 2",
+    "recording.root=file": "cannot write to 'file/single_image'",
+    "recording.name=a/b": "name of one folder",
+    "experiment=predict": "add silhouette=masks silhouette.source=FOLDER",
+    "experiment=predict silhouette=masks silhouette.source=nowhere": "no folder 'nowhere'",
+    "experiment=predict silhouette=masks silhouette.source=empty": "holds no masks",
+    "experiment=predict silhouette=masks silhouette.source=blank": "'blank/0.png' has no fore",
+    "experiment=predict silhouette=masks silhouette.source=good model=file": "no silpose model",
+    "silhouette=masks silhouette.source=good": "add experiment=predict",
+}
+
+
+@pytest.mark.parametrize("arguments", WRONG)
+def test_what_is_wrong_is_one_sentence_and_leaves_nothing(run, tmp_path, arguments):
+    for folder in ("empty", "text", "blank", "good"):
+        (tmp_path / folder).mkdir()
+    (tmp_path / "text" / "a.bvh").write_text("hello")
+    (tmp_path / "file").touch()
+    cv2.imwrite(str(tmp_path / "blank" / "0.png"), np.zeros((9, 9), np.uint8))
+    cv2.imwrite(str(tmp_path / "good" / "0.png"), np.eye(9, dtype=np.uint8))
+    status, out, err = run(*arguments.split())
+    assert isinstance(status, str)  # which Python prints, and exits with status 1
+    assert status.startswith("silpose: ")
+    assert WRONG[arguments] in status
+    assert "\n" not in status
+    assert "Traceback" not in out + err
+    assert not list(tmp_path.glob("recordings/**/*.*"))
+
+
+def test_debug_shows_where_an_error_comes_from(run):
+    with pytest.raises(Exception, match=r"motion\.root"):
+        run("motion=bvh", "debug=true")
+
+
+def test_help_and_import_do_not_wait_for_heavy_packages():
+    heavy = {"rerun", "sklearn", "scipy", "numba", "cv2", "matplotlib"}
+    code = f"import sys, silpose, silpose.app; print({heavy!r} & set(sys.modules))"
+    shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert shown.stdout.strip() == "set()"
+    shown = subprocess.run(
+        [sys.executable, "-m", "silpose.app", "--help"], capture_output=True, text=True, check=True
+    )
+    assert "single_image" in shown.stdout
