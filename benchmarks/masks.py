@@ -1,0 +1,43 @@
+"""How many masks a second are filled: python benchmarks/masks.py."""
+
+import cv2
+import numpy as np
+from timing import per_second, report
+
+from silpose.config import furnish, load
+from silpose.pose import ANGLES
+from silpose.silhouette import Body, Camera, render
+
+
+def by_triangles(body: Body, camera: Camera, rotations: np.ndarray) -> None:
+    """Fill every triangle of the links' surfaces instead of one hull per link."""
+    for pieces in camera.project(body.pieces(rotations)):
+        mask = np.zeros((camera.height, camera.width), np.uint8)
+        corners = np.rint(pieces * 16).astype(np.int32)
+        for piece in corners:
+            for k in range(len(piece) - 2):
+                cv2.fillConvexPoly(mask, piece[[0, k + 1, k + 2]], 1, cv2.LINE_8, 4)
+
+
+if __name__ == "__main__":
+    takes = furnish(load(["motion.test_seconds=20"])).source.takes()
+    rotations = ANGLES.rotations(ANGLES.from_angles(takes[-1].angles))
+    camera = Camera()
+    rows = []
+    for kind, level, frames in (
+        ("convex", 0, 300),
+        ("convex", 1, 300),
+        ("convex", 2, 300),
+        ("wooden", 0, 10),
+    ):
+        body, some = Body(kind, level), rotations[:frames]
+        rate = per_second(lambda b=body, r=some: list(render(b, camera, r)), len(some), rounds=3)
+        rows.append([f"{kind}, level {level}" if kind == "convex" else kind, f"{rate:,.0f}"])
+    body, some = Body("convex", 1), rotations[:60]
+    rate = per_second(lambda: by_triangles(body, camera, some), len(some), rounds=1)
+    rows.append(["convex, level 1, a fan of triangles per link instead", f"{rate:,.0f}"])
+    report(
+        f"poses of one walk to masks of {camera.height} x {camera.width}, one core",
+        ["body", "masks a second"],
+        rows,
+    )
