@@ -68,6 +68,12 @@ FAST = (
 
 
 @pytest.fixture(scope="session")
+def fast():
+    """Settings for a whole run in a few seconds."""
+    return FAST
+
+
+@pytest.fixture(scope="session")
 def finished(tmp_path_factory):
     """A finished run of the whole experiment, a few seconds of motion in small images."""
     from silpose.app import run_experiment

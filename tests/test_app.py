@@ -5,7 +5,6 @@ import sys
 import cv2
 import numpy as np
 import pytest
-from conftest import FAST
 
 from silpose.app import main
 
@@ -28,8 +27,8 @@ def run(tmp_path, monkeypatch, capfd):
     return command
 
 
-def test_a_whole_run_says_how_to_open_it(run, tmp_path):
-    status, out, _ = run(*FAST)
+def test_a_whole_run_says_how_to_open_it(run, fast, tmp_path):
+    status, out, _ = run(*fast)
     assert status == 0
     assert "rvm_20" in out
     assert "recordings/single_image/001/run.rrd" in out
@@ -43,10 +42,10 @@ def test_a_whole_run_says_how_to_open_it(run, tmp_path):
     }
 
 
-def test_a_sweep_gives_every_job_its_folder_and_recording(run, tmp_path):
+def test_a_sweep_gives_every_job_its_folder_and_recording(run, fast, tmp_path):
     from rerun.chunk import RrdReader
 
-    status, _, _ = run("-m", *FAST, "regression.ridge.damping=0.01,10")
+    status, _, _ = run("-m", *fast, "regression.ridge.damping=0.01,10")
     assert status == 0
     folders = sorted((tmp_path / "recordings/single_image").iterdir())
     assert [f.name for f in folders] == ["001", "002"]
