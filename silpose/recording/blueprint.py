@@ -19,12 +19,6 @@ def single_image(shown: Sequence[str], frames_per_second: float) -> rrb.Blueprin
         Methods whose errors are drawn.
     frames_per_second : float
     """
-    seen = rrb.Vertical(
-        _mask_view(),
-        _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
-        _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
-        row_shares=[2.2, 1, 1],
-    )
     answered = rrb.Vertical(
         _body_view("true (blue) and estimated (orange) pose; left side light, right side dark"),
         _series("heading, degrees", [entities.TRUE_HEADING, entities.ESTIMATED_HEADING]),
@@ -34,17 +28,11 @@ def single_image(shown: Sequence[str], frames_per_second: float) -> rrb.Blueprin
         _series("mean angular error, degrees", [f"{entities.ERROR}/{m}" for m in shown]),
         row_shares=[3.4, 1, 0.7, 1],
     )
-    return _layout([seen, answered, _texts()], [1, 1.9, 0.9], frames_per_second)
+    return _layout([_seen(), answered, _texts()], [1, 1.9, 0.9], frames_per_second)
 
 
 def predict(frames_per_second: float) -> rrb.Blueprint:
     """Lay out poses estimated from masks whose truth nobody knows."""
-    seen = rrb.Vertical(
-        _mask_view(),
-        _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
-        _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
-        row_shares=[2.2, 1, 1],
-    )
     answered = rrb.Vertical(
         _body_view("estimated pose; left side light, right side dark"),
         _series("heading, degrees", [entities.ESTIMATED_HEADING]),
@@ -53,7 +41,7 @@ def predict(frames_per_second: float) -> rrb.Blueprint:
         ),
         row_shares=[3.4, 1, 0.7],
     )
-    return _layout([seen, answered, _texts()], [1, 1.9, 0.8], frames_per_second)
+    return _layout([_seen(), answered, _texts()], [1, 1.9, 0.8], frames_per_second)
 
 
 def _layout(
@@ -68,6 +56,15 @@ def _layout(
         ),
         auto_layout=False,
         auto_views=False,
+    )
+
+
+def _seen() -> rrb.Container:
+    return rrb.Vertical(
+        _mask_view(),
+        _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
+        _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
+        row_shares=[2.2, 1, 1],
     )
 
 
