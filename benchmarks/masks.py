@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 from timing import per_second, report
 
-from silpose.config import furnish, load
+from silpose.motion import WalkerTakes
 from silpose.pose import ANGLES
 from silpose.silhouette import Body, Camera, render
 
@@ -20,7 +20,7 @@ def by_triangles(body: Body, camera: Camera, rotations: np.ndarray) -> None:
 
 
 if __name__ == "__main__":
-    takes = furnish(load(["motion.test_seconds=20"])).source.takes()
+    takes = WalkerTakes(test_seconds=20).takes()
     rotations = ANGLES.rotations(ANGLES.from_angles(takes[-1].angles))
     camera = Camera()
     rows = []

@@ -47,9 +47,9 @@ plt.axis("off")
 # %%
 from silpose.dataset import poses
 from silpose.model import PoseModel
-from silpose.regression import GaussianBasis, RelevanceVectorRegressor
+from silpose.regression import Basis, RelevanceVectorRegressor
 
-regressor = RelevanceVectorRegressor(GaussianBasis(width=2), keep_at_most=0.18)
+regressor = RelevanceVectorRegressor(Basis(width=2, hellinger=True), keep_at_most=0.18)
 model = PoseModel(rooms.descriptor, regressor, data.space, test.frames_per_second)
 model.fit(np.concatenate([take.masks for take in data.train]), poses(data.train))
 print(f"{len(regressor.relevance_)} of {len(poses(data.train))} silhouettes are kept")
@@ -71,9 +71,10 @@ for method, error in errors.items():
 # **5. Watch it,** frame by frame, in the Rerun viewer. Press play.
 
 # %%
-from silpose.recording import Truth, record_single_image, show, texts
+from silpose.recording import Reasons, Truth, record_single_image, show, texts
 
-truth = Truth.of(test, rooms.camera, errors)
+truth = Truth.of(test, rooms.camera, errors, data.space)
+why = Reasons.of(regressor, seen, data.train, rooms.camera, data.space)
 words = texts(f"test walker {test.performer}", "", {})
-record_single_image("first_look.rrd", "first look", model, seen, truth, list(errors), words)
+record_single_image("first_look.rrd", "first look", model, seen, truth, list(errors), words, why)
 show("first_look.rrd")

@@ -21,6 +21,7 @@ from omegaconf.errors import OmegaConfBaseException
 from silpose.errors import InputError
 
 if TYPE_CHECKING:
+    from silpose.dataset import Dataset
     from silpose.experiments import Rooms
 
 T = TypeVar("T")
@@ -177,11 +178,17 @@ def _in_words(hint: Any) -> str:
 
 def furnish(settings: DictConfig) -> Rooms:
     """Build every room from its settings."""
-    from silpose.dataset import SamePerformer
+    from silpose.dataset import AgarwalFile, SamePerformer, synthesise
     from silpose.descriptor import ShapeContextHistogram
-    from silpose.experiments.rooms import OwnMasks, Rooms
+    from silpose.experiments import OwnMasks, Rooms
     from silpose.motion import BvhFolder, WalkerTakes
-    from silpose.regression import BasisSettings, Candidates, RidgeSettings, RvmSettings
+    from silpose.regression import (
+        BasisSettings,
+        Candidates,
+        RidgeSettings,
+        RvmSettings,
+        SvmSettings,
+    )
     from silpose.silhouette import Body, Camera
 
     plain = OmegaConf.to_container(settings, resolve=True)
@@ -189,15 +196,29 @@ def furnish(settings: DictConfig) -> Rooms:
     seed = _typed("seed", int, plain["seed"])
     silhouette, regression = plain["silhouette"], plain["regression"]
     body, camera = silhouette.pop("body"), silhouette.pop("camera")
-    parts = {"basis": BasisSettings, "ridge": RidgeSettings, "rvm": RvmSettings}
+    parts = {
+        "basis": BasisSettings,
+        "ridge": RidgeSettings,
+        "rvm": RvmSettings,
+        "svm": SvmSettings,
+    }
     sources = {"walker": WalkerTakes, "bvh": BvhFolder}
+    rooms_camera = build(Camera, camera, "silhouette.camera")
+    source = choose(sources, plain["motion"], "motion")
+    rooms_body = build(Body, body, "silhouette.body")
+    datasets = {"same_performer": SamePerformer, "agarwal": AgarwalFile}
+    chosen = choose(datasets, plain["dataset"], "dataset")
+    name = f"{plain['dataset']['kind']}/{plain['motion']['kind']}"
+
+    def dataset() -> Dataset:
+        if isinstance(chosen, AgarwalFile):
+            return chosen.dataset()
+        return synthesise(source.takes(), chosen, rooms_body, rooms_camera, name)
+
     return Rooms(
-        source=choose(sources, plain["motion"], "motion"),
-        body=build(Body, body, "silhouette.body"),
-        camera=build(Camera, camera, "silhouette.camera"),
+        dataset=dataset,
+        camera=rooms_camera,
         own_masks=build(OwnMasks, silhouette, "silhouette"),
-        splitter=choose({"same_performer": SamePerformer}, plain["dataset"], "dataset"),
-        dataset_name=f"{plain['dataset']['kind']}/{plain['motion']['kind']}",
         descriptor=choose(
             {"shape_context": ShapeContextHistogram}, plain["descriptor"], "descriptor"
         ),

@@ -66,6 +66,7 @@ class Look:
     Attributes
     ----------
     masks : list of ndarray, each (H, W)
+        Empty, as the points, where descriptors are all there is.
     points : list of ndarray, each (P, 2)
         Edge points, pixels; none for a blank mask.
     z : ndarray, shape (F, d)
@@ -89,14 +90,15 @@ class PoseModel:
 
     Attributes
     ----------
-    descriptor : ShapeContextHistogram
+    descriptor : ShapeContextHistogram or None
+        None for a model that was trained on descriptors of unknown origin: it sees no masks.
     regressor : Regressor
     space : PoseSpace
     frames_per_second : float
         Of the motion that it was trained on.
     """
 
-    descriptor: ShapeContextHistogram
+    descriptor: ShapeContextHistogram | None
     regressor: Regressor
     space: PoseSpace
     frames_per_second: float
@@ -110,7 +112,7 @@ class PoseModel:
         x : array-like, shape (n, D)
             The poses behind the masks.
         """
-        z = self.descriptor.fit_transform(masks)
+        z = self._descriptor().fit_transform(masks)
         self.regressor.fit(z, np.asarray(x))
         return self
 
@@ -136,18 +138,26 @@ class PoseModel:
             seen = np.flatnonzero([np.any(mask) for mask in frames])
         else:
             raise InputError(f"blank is 'error' or 'nan', not '{blank}'")
-        described = self.descriptor.describe([frames[f] for f in seen])
+        described = self._descriptor().describe([frames[f] for f in seen])
         z = np.stack([d.z for d in described])
         points = [np.empty((0, 2), np.int32)] * len(frames)
         for frame, description in zip(seen, described, strict=True):
             points[frame] = description.points
+        seen_only = self.look_at(z)
         return Look(
             frames,
             points,
-            _spread(z, seen, len(frames)),
-            _spread(self.regressor.activations(z), seen, len(frames)),
-            _spread(self.regressor.predict(z), seen, len(frames)),
+            *(_spread(rows, seen, len(frames)) for rows in (z, seen_only.activations, seen_only.x)),
         )
+
+    def look_at(self, z: Array) -> Look:
+        """Estimate poses from descriptors ``z (F, d)``, without masks."""
+        return Look([], [], z, self.regressor.activations(z), self.regressor.predict(z))
+
+    def _descriptor(self) -> ShapeContextHistogram:
+        if self.descriptor is None:
+            raise InputError("this model was trained on descriptors only: it cannot look at masks")
+        return self.descriptor
 
     def save(self, path: str | Path) -> None:
         """Write the model as an ``.npz`` without pickled objects."""
@@ -160,8 +170,8 @@ class PoseModel:
         }
         arrays = {"header": np.array(json.dumps(header))}
         for part in ("descriptor", "regressor"):
-            for name, value in getattr(self, part).state().items():
-                arrays[f"{part}.{name}"] = np.asarray(value)
+            state = {} if getattr(self, part) is None else getattr(self, part).state()
+            arrays |= {f"{part}.{name}": np.asarray(value) for name, value in state.items()}
         with Path(path).open("wb") as file:  # savez would append .npz to the name
             np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
 
@@ -189,7 +199,9 @@ class PoseModel:
             part, _, entry = name.partition(".")
             states[part][entry] = value
         return cls(
-            ShapeContextHistogram.from_state(states["descriptor"]),
+            ShapeContextHistogram.from_state(states["descriptor"])
+            if states["descriptor"]
+            else None,
             REGRESSORS[header["regressor"]].from_state(states["regressor"]),
             SPACES[header["space"]],
             header["frames_per_second"],

@@ -14,6 +14,7 @@ from silpose.run import FinishedRun
 
 _HEADLINES = {
     "mean_angular_error_deg": ("angles", "{:.2f}°"),
+    "mean_joint_distance": ("joints, own units", "{:.2f}"),
     "heading_median_deg": ("heading", "{:.1f}°"),
     "heading_over_20deg": ("off by 20°", "{:.0%}"),
     "mpjpe_mm": ("joints", "{:.0f} mm"),

@@ -16,7 +16,11 @@ CHOICES = sorted(
     (file.parent.name, file.stem)
     for file in config_folder().glob("*/*.yaml")
 )  # fmt: skip
-NEEDED = {"bvh": ["motion.root=somewhere"], "masks": ["silhouette.source=somewhere"]}
+NEEDED = {
+    "agarwal": ["dataset.path=somewhere"],
+    "bvh": ["motion.root=somewhere"],
+    "masks": ["silhouette.source=somewhere"],
+}
 
 
 @pytest.mark.parametrize(("group", "choice"), CHOICES)

@@ -1,7 +1,17 @@
 """What is learnt from and tested on: sequences and their split."""
 
+from silpose.dataset.agarwal import AgarwalFile
 from silpose.dataset.same_performer import SamePerformer, Split
 from silpose.dataset.sequence import Dataset, Sequence, poses
 from silpose.dataset.synthesis import photograph, synthesise
 
-__all__ = ["Dataset", "SamePerformer", "Sequence", "Split", "photograph", "poses", "synthesise"]
+__all__ = [
+    "AgarwalFile",
+    "Dataset",
+    "SamePerformer",
+    "Sequence",
+    "Split",
+    "photograph",
+    "poses",
+    "synthesise",
+]

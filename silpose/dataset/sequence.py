@@ -25,17 +25,20 @@ class Sequence:
     frames_per_second : float
     x : ndarray, shape (F, D)
         True poses.
-    masks : ndarray of 0 and 1, shape (F, H, W)
+    masks : ndarray of 0 and 1, shape (F, H, W), or None
     offset : ndarray, shape (F, 3)
         Of the root from what the camera looks at, metres.
+    z : ndarray, shape (F, d), or None
+        Descriptors, where these are what the data hold instead of masks.
     """
 
     name: str
     performer: str
     frames_per_second: float
     x: Array
-    masks: NDArray[np.uint8]
+    masks: NDArray[np.uint8] | None
     offset: Array
+    z: Array | None = None
 
     def __len__(self) -> int:
         return len(self.x)

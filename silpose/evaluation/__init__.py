@@ -1,6 +1,15 @@
 """Metrics and baselines."""
 
 from silpose.evaluation.baselines import BASELINES, baselines
+from silpose.evaluation.heading import heading_doubt, key_angles
 from silpose.evaluation.metrics import heading_errors, joint_distances, measure
 
-__all__ = ["BASELINES", "baselines", "heading_errors", "joint_distances", "measure"]
+__all__ = [
+    "BASELINES",
+    "baselines",
+    "heading_doubt",
+    "heading_errors",
+    "joint_distances",
+    "key_angles",
+    "measure",
+]

@@ -95,10 +95,15 @@ def _rms_angular(space: PoseSpace, true: Array, estimated: Array, training: Arra
     return np.sqrt((space.angle_errors(true, estimated) ** 2).mean(axis=0)).mean()
 
 
+def _joint_distance(space: PoseSpace, true: Array, estimated: Array, training: Array) -> float:
+    return space.distance(true, estimated).mean()
+
+
 METRICS: Mapping[str, Metric] = {
     "mean_angular_error_deg": _mean_angular,
     "moving_angles_error_deg": _moving_angular,
     "rms_angular_error_deg": _rms_angular,
+    "mean_joint_distance": _joint_distance,
     "heading_mean_deg": lambda s, t, e, _: heading_errors(s, t, e).mean(),
     "heading_median_deg": lambda s, t, e, _: float(np.median(heading_errors(s, t, e))),
     "heading_rms_deg": lambda s, t, e, _: np.sqrt((heading_errors(s, t, e) ** 2).mean()),

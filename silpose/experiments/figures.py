@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from silpose.dataset import Sequence as Take
 from silpose.pose import PoseSpace, wrap_degrees
 from silpose.silhouette import Camera
 
@@ -22,10 +23,8 @@ def single_image_figure(
     path: Path,
     space: PoseSpace,
     camera: Camera,
-    masks: NDArray[np.uint8],
-    true: Array,
+    take: Take,
     estimated: Array,
-    offset: Array,
     errors: Mapping[str, float],
     method: str,
 ) -> None:
@@ -37,23 +36,24 @@ def single_image_figure(
         Of the PNG.
     space : PoseSpace
     camera : Camera
-    masks : ndarray, shape (F, H, W)
-    true, estimated : ndarray, shape (F, D)
-    offset : ndarray, shape (F, 3)
-        Of the root from what the camera looks at, metres.
+    take : Sequence
+        What was tested on.
+    estimated : ndarray, shape (F, D)
     errors : mapping of str to float
-        The reported metric by method, degrees.
+        The reported metric by method.
     method : str
         Whose estimates these are.
     """
+    true = take.x
     figure = Figure(figsize=(11, 7.5), layout="constrained")
     grid = figure.add_gridspec(3, 1, height_ratios=[1.35, 1.5, 1])
     samples, series, bars = (figure.add_subfigure(grid[row]) for row in range(3))
     frames = np.linspace(0, len(true) - 1, 7).astype(int)
     for axes, frame in zip(samples.subplots(1, len(frames)), frames, strict=True):
-        axes.imshow(1 - 0.25 * np.asarray(masks[frame]), cmap="gray", vmin=0, vmax=1)
-        _overlay(axes, space, camera, true[frame], offset[frame], TRUE, 2.5)
-        _overlay(axes, space, camera, estimated[frame], offset[frame], ESTIMATED, 1.3)
+        if take.masks is not None:
+            axes.imshow(1 - 0.25 * take.masks[frame], cmap="gray", vmin=0, vmax=1)
+        _overlay(axes, space, camera, true[frame], take.offset[frame], TRUE, 2.5)
+        _overlay(axes, space, camera, estimated[frame], take.offset[frame], ESTIMATED, 1.3)
         axes.set_title(f"frame {frame}", fontsize=8)
         axes.axis("off")
     samples.suptitle(f"true (blue) and estimated by {method} (orange)", fontsize=10)
@@ -64,7 +64,7 @@ def single_image_figure(
     below.fill_between(range(len(off)), 0, 1.3, where=off > 20, color=QUIET, alpha=0.35, lw=0)
     below.set(ylim=(0, 1.3), xlim=(0, len(off) - 1), xlabel="frame", ylabel="heading norm")
     below.set_title("grey: heading off by more than 20°", fontsize=8, loc="right")
-    _bars(bars.subplots(), errors, method)
+    _bars(bars.subplots(), errors, method, space.metrics[0])
     figure.savefig(path, dpi=120, format="png")
 
 
@@ -85,12 +85,12 @@ def _heading(axes: Axes, space: PoseSpace, true: Array, estimated: Array) -> Non
     axes.legend(loc="upper right", fontsize=8, ncols=2)
 
 
-def _bars(axes: Axes, errors: Mapping[str, float], method: str) -> None:
+def _bars(axes: Axes, errors: Mapping[str, float], method: str, metric: str) -> None:
     names = list(errors)
     colours = [ESTIMATED if name == method else QUIET for name in names]
     drawn = axes.barh(names, list(errors.values()), color=colours)
     axes.bar_label(drawn, fmt="%.2f", padding=3, fontsize=8)
     axes.invert_yaxis()
     axes.spines[["top", "right"]].set_visible(False)
-    axes.set_xlabel("mean angular error, degrees (Eq. 6)")
+    axes.set_xlabel(metric.replace("_", " "))
     axes.tick_params(labelsize=8)

@@ -8,10 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from silpose.dataset import poses
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
-from silpose.experiments.single_image import describe
+from silpose.experiments.training import prepare
 from silpose.model import PoseModel, Poses
 from silpose.recording import record_prediction, texts
 from silpose.regression import check_methods
@@ -36,8 +35,7 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
     if own.source is None:
         raise InputError("predict wants masks: add silhouette=masks silhouette.source=FOLDER")
     masks = read_masks(own.source, own.blank)
-    with run.stage("model"):
-        fitted = PoseModel.load(model) if model else _train(rooms, show)
+    fitted = PoseModel.load(model) if model else _train(rooms, run, show)
     with run.stage("prediction"):
         look = fitted.look(masks, own.blank)
     with run.writing("poses.csv") as path:
@@ -59,21 +57,10 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
     run.write_metrics(Path(own.source).name, rooms.seed, {})
 
 
-def _train(rooms: Rooms, method: str) -> PoseModel:
-    data = rooms.dataset()
-    descriptor = rooms.descriptor.fit([mask for take in data.train for mask in take.masks])
-    train, validation = (
-        (describe(descriptor, takes), poses(takes)) for takes in (data.train, data.validation)
-    )
-    chosen = rooms.candidates.choose(
-        [method],
-        train,
-        validation,
-        lambda true, estimated: data.space.distance(true, estimated).mean(),
-    )
-    return PoseModel(
-        descriptor, chosen.regressors[method], data.space, data.train[0].frames_per_second
-    )
+def _train(rooms: Rooms, run: Run, method: str) -> PoseModel:
+    described = prepare(rooms, run)
+    with run.stage("regression"):
+        return described.model(described.learn(rooms.candidates, [method]).regressors[method])
 
 
 def _write_csv(path: Path, files: Sequence[Path], estimated: Poses) -> None:

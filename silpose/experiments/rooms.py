@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
-from silpose.dataset import Dataset, SamePerformer, synthesise
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose.dataset import Dataset
+from silpose.dataset import Sequence as Take
 from silpose.descriptor import ShapeContextHistogram
-from silpose.motion import Motion
+from silpose.progress import bar
 from silpose.regression import Candidates
-from silpose.silhouette import Body, Camera
+from silpose.silhouette import Camera
 
-
-class TakeSource(Protocol):
-    """Where takes come from: any motion source."""
-
-    def takes(self) -> list[Motion]:
-        """Give all takes."""
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -43,13 +42,10 @@ class Rooms:
 
     Attributes
     ----------
-    source : TakeSource
-    body : Body
+    dataset : callable
+        Gives the `Dataset`: photographs motion, or reads a file.
     camera : Camera
     own_masks : OwnMasks
-    splitter : SamePerformer
-    dataset_name : str
-        As results call it.
     descriptor : ShapeContextHistogram
         Not fitted yet.
     candidates : Candidates
@@ -57,18 +53,31 @@ class Rooms:
     seed : int
     """
 
-    source: TakeSource
-    body: Body
+    dataset: Callable[[], Dataset]
     camera: Camera
     own_masks: OwnMasks
-    splitter: SamePerformer
-    dataset_name: str
     descriptor: ShapeContextHistogram
     candidates: Candidates
     seed: int
 
-    def dataset(self) -> Dataset:
-        """Photograph the takes and split them."""
-        return synthesise(
-            self.source.takes(), self.splitter, self.body, self.camera, self.dataset_name
-        )
+
+def learn_descriptor(rooms: Rooms, data: Dataset) -> ShapeContextHistogram | None:
+    """Fit the descriptor to the training masks; None where the data hold descriptors already."""
+    masks = [take.masks for take in data.train if take.masks is not None]
+    return rooms.descriptor.fit([mask for take in masks for mask in take]) if masks else None
+
+
+def describe(
+    descriptor: ShapeContextHistogram | None, takes: Sequence[Take]
+) -> list[tuple[Array, Array]]:
+    """Descriptors (F, d) and poses (F, D) of each take, with a progress bar."""
+    with bar("descriptors", sum(len(take) for take in takes)) as advance:
+        examples = []
+        for take in takes:
+            z = take.z
+            if take.masks is not None and descriptor is not None:
+                z = descriptor.transform(take.masks)
+            assert z is not None, "a sequence has masks or descriptors"
+            examples.append((z, take.x))
+            advance(len(take))
+    return examples

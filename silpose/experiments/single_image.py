@@ -7,16 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.dataset import Dataset, poses
-from silpose.dataset import Sequence as Take
-from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
-from silpose.evaluation import baselines, measure
+from silpose.evaluation import heading_doubt, key_angles
 from silpose.experiments.figures import single_image_figure
 from silpose.experiments.rooms import Rooms
+from silpose.experiments.training import Described, compare, prepare, tidy
 from silpose.model import PoseModel
-from silpose.progress import bar
-from silpose.recording import Truth, record_single_image, texts
+from silpose.recording import Reasons, Truth, record_single_image, texts
 from silpose.regression import check_methods
 from silpose.run import Run
 
@@ -40,61 +37,36 @@ def single_image(rooms: Rooms, run: Run, methods: Sequence[str], show: str) -> N
     check_methods(methods)
     if show not in methods:
         raise InputError(f"show={show} is none of the methods {', '.join(methods)}")
-    with run.stage("masks"):
-        data = rooms.dataset()
-    with run.stage("descriptors"):
-        descriptor = rooms.descriptor.fit([m for take in data.train for m in take.masks])
-        z_train, z_validation, z_test = (
-            describe(descriptor, takes) for takes in (data.train, data.validation, data.test)
-        )
-    x_train, x_validation, x_test = (
-        poses(takes) for takes in (data.train, data.validation, data.test)
-    )
+    described = prepare(rooms, run)
     with run.stage("regression"):
-        chosen = rooms.candidates.choose(
-            methods,
-            (z_train, x_train),
-            (z_validation, x_validation),
-            lambda true, estimated: data.space.distance(true, estimated).mean(),
-        )
+        chosen = described.learn(rooms.candidates, methods)
     with run.stage("evaluation"):
-        estimates = baselines(data.space, z_train, x_train, z_test, x_test)
-        estimates |= {m: chosen.regressors[m].predict(z_test) for m in methods}
-        metrics = {m: measure(data.space, x_test, e, x_train) for m, e in estimates.items()}
+        estimates, metrics = compare(described, chosen.regressors)
         for method in methods:
-            metrics[method]["kept"] = chosen.regressors[method].kept_
-    model = PoseModel(
-        descriptor, chosen.regressors[show], data.space, data.test[0].frames_per_second
-    )
+            true = np.concatenate([x for _, x in described.test])
+            metrics[method] |= heading_doubt(described.data.space, true, estimates[method])
+        keys = key_angles(described.data.space, true, estimates[show])
     with run.stage("recording"):
-        _write(rooms, run, data, model, estimates, metrics, show)
+        model = described.model(chosen.regressors[show])
+        _write(rooms, run, described, model, estimates, metrics, show)
     run.write_settings()
-    run.write_results([*chosen.rows, *_tidy(metrics)])
-    run.write_metrics(data.name, rooms.seed, metrics)
-
-
-def describe(descriptor: ShapeContextHistogram, takes: Sequence[Take]) -> Array:
-    """Descriptors of all frames of some takes, with a progress bar, shape (n, d)."""
-    with bar("descriptors", sum(len(take) for take in takes)) as advance:
-        blocks = []
-        for take in takes:
-            blocks.append(descriptor.transform(take.masks))
-            advance(len(take))
-    return np.concatenate(blocks)
+    run.write_results([*chosen.rows, *tidy(metrics), *({"method": show, **row} for row in keys)])
+    run.write_metrics(described.data.name, rooms.seed, metrics)
 
 
 def _write(
     rooms: Rooms,
     run: Run,
-    data: Dataset,
+    described: Described,
     model: PoseModel,
     estimates: dict[str, Array],
     metrics: dict[str, dict[str, float]],
     show: str,
 ) -> None:
-    take = data.test[0]
-    frames = slice(0, len(take))  # the first test sequence is the one to look at
+    data, take = described.data, described.data.test[0]  # the first test sequence is looked at
+    frames = slice(0, len(take))
     errors = {m: data.space.distance(take.x, e[frames]) for m, e in estimates.items()}
+    look = model.look(take.masks) if take.masks is not None else model.look_at(described.test[0][0])
     with run.writing("model.npz") as path:
         model.save(path)
     with run.writing("run.rrd") as path:
@@ -102,28 +74,19 @@ def _write(
             path,
             f"{run.experiment}/{run.name}",
             model,
-            model.look(take.masks),
-            Truth.of(take, rooms.camera, errors),
+            look,
+            Truth.of(take, rooms.camera, errors, data.space),
             [show, "nearest", "mean_pose"],
             texts(f"test sequence {take.name} by {take.performer}", run.settings, metrics),
+            Reasons.of(model.regressor, look, data.train, rooms.camera, data.space),
         )
     with run.writing("single_image.png") as path:
         single_image_figure(
             path,
             data.space,
             rooms.camera,
-            take.masks,
-            take.x,
+            take,
             estimates[show][frames],
-            take.offset,
             {m: values[data.space.metrics[0]] for m, values in metrics.items()},
             show,
         )
-
-
-def _tidy(metrics: dict[str, dict[str, float]]) -> list[dict[str, object]]:
-    return [
-        {"method": method, "metric": name, "value": value}
-        for method, values in metrics.items()
-        for name, value in values.items()
-    ]

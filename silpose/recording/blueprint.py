@@ -10,7 +10,13 @@ import rerun.blueprint as rrb
 from silpose.recording import entities
 
 
-def single_image(shown: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
+def single_image(
+    shown: Sequence[str],
+    frames_per_second: float,
+    metric: str,
+    masks: bool = True,
+    reasons: bool = False,
+) -> rrb.Blueprint:
     """Lay out what a single-image regressor sees, answers, and how far off it is.
 
     Parameters
@@ -18,6 +24,10 @@ def single_image(shown: Sequence[str], frames_per_second: float) -> rrb.Blueprin
     shown : sequence of str
         Methods whose errors are drawn.
     frames_per_second : float
+    metric : str
+        Of the errors.
+    masks, reasons : bool
+        Whether there are any to show.
     """
     answered = rrb.Vertical(
         _body_view("true (blue) and estimated (orange) pose; left side light, right side dark"),
@@ -25,10 +35,10 @@ def single_image(shown: Sequence[str], frames_per_second: float) -> rrb.Blueprin
         _series(
             "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
         ),
-        _series("mean angular error, degrees", [f"{entities.ERROR}/{m}" for m in shown]),
+        _series(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
         row_shares=[3.4, 1, 0.7, 1],
     )
-    return _layout([_seen(), answered, _texts()], [1, 1.9, 0.9], frames_per_second)
+    return _layout([_seen(masks), answered, _texts(reasons)], [1, 1.9, 1], frames_per_second)
 
 
 def predict(frames_per_second: float) -> rrb.Blueprint:
@@ -59,13 +69,14 @@ def _layout(
     )
 
 
-def _seen() -> rrb.Container:
-    return rrb.Vertical(
-        _mask_view(),
+def _seen(masks: bool = True) -> rrb.Container:
+    bars = [
         _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
         _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
-        row_shares=[2.2, 1, 1],
-    )
+    ]
+    if not masks:
+        return rrb.Vertical(*bars)
+    return rrb.Vertical(_mask_view(), *bars, row_shares=[2.2, 1, 1])
 
 
 def _mask_view() -> rrb.Spatial2DView:
@@ -110,9 +121,14 @@ def _series(
     )
 
 
-def _texts() -> rrb.Container:
-    return rrb.Vertical(
+def _texts(reasons: bool = False) -> rrb.Container:
+    texts = [
         rrb.TextDocumentView(origin=entities.METRICS, name="results"),
         rrb.TextDocumentView(origin=entities.SETTINGS, name="settings"),
-        row_shares=[1, 1.3],
+    ]
+    if not reasons:
+        return rrb.Vertical(*texts, row_shares=[1, 1.3])
+    why = rrb.Spatial2DView(
+        origin=entities.REASONS, name="why this pose? training examples and their weight"
     )
+    return rrb.Vertical(texts[0], why, texts[1], row_shares=[1, 1, 0.6])

@@ -16,6 +16,11 @@ ESTIMATED_HEADING = "/regression/heading"
 HEADING_NORM = "/regression/heading_norm"
 ACTIVATIONS = "/regression/activations"
 
+REASONS = "/regression/reasons"  # the training examples behind an estimate
+REASONS_OUTLINES = "/regression/reasons/outlines"
+REASONS_SKELETONS = "/regression/reasons/skeletons"
+REASONS_WEIGHTS = "/regression/reasons/weights"
+
 ERROR = "/evaluation/error"  # one entity below it per method
 
 SETTINGS = "/run/settings"

@@ -70,7 +70,7 @@ class Track:
             rr.Transform3D.from_fields(mat3x3=camera.orientation),
             static=True,
         )
-        self._columns(
+        self.columns(
             entities.CAMERA, rr.Transform3D.columns(translation=aim + camera.position), None
         )
 
@@ -89,7 +89,7 @@ class Track:
             rr.Points2D.from_fields(colors=palette.EDGE, radii=rr.Radius.ui_points(1.8)),
             static=True,
         )
-        self._columns(
+        self.columns(
             entities.EDGE_POINTS,
             rr.Points2D.columns(positions=np.concatenate(points)),
             [len(p) for p in points],
@@ -122,11 +122,27 @@ class Track:
             static=True,
         )
         ends = joints[:, np.asarray(bones)]
-        self._columns(
+        self.columns(
             entity,
             rr.LineStrips3D.columns(strips=ends.reshape(-1, 2, 3).astype(np.float32)),
             [len(bones)] * self._frames,
         )
+
+    def strips(
+        self,
+        entity: str,
+        strips: Sequence[NDArray[np.float32]] | NDArray[np.float32],
+        lengths: Sequence[int],
+        colour: palette.Colour | Sequence[palette.Colour],
+        width: float,
+    ) -> None:
+        """Log lines in a picture, ``lengths (F,)`` of them for each frame; width in points."""
+        self._recording.log(
+            entity,
+            rr.LineStrips2D.from_fields(colors=colour, radii=rr.Radius.ui_points(width)),
+            static=True,
+        )
+        self.columns(entity, rr.LineStrips2D.columns(strips=strips), lengths)
 
     def series(
         self, entity: str, values: Array, name: str, colour: palette.Colour, width: float = 1.5
@@ -135,9 +151,12 @@ class Track:
         self._recording.log(
             entity, rr.SeriesLines(colors=colour, names=name, widths=width), static=True
         )
-        self._columns(entity, rr.Scalars.columns(scalars=values), None)
+        self.columns(entity, rr.Scalars.columns(scalars=values), None)
 
-    def _columns(self, entity: str, columns: rr.ComponentColumnList, lengths: list | None) -> None:
+    def columns(
+        self, entity: str, columns: rr.ComponentColumnList, lengths: Sequence[int] | None
+    ) -> None:
+        """Log whole columns: one row per frame, or ``lengths (F,)`` rows for each."""
         if lengths is not None:
             columns = columns.partition(lengths)
         self._recording.send_columns(entity, indexes=self._index, columns=columns)

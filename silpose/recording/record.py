@@ -18,6 +18,7 @@ from silpose.dataset import Sequence as Take
 from silpose.pose import ANGLES, PoseSpace
 from silpose.recording import blueprint, entities, palette
 from silpose.recording.log import Track, log_text
+from silpose.recording.reasons import Reasons, log_reasons
 from silpose.silhouette import Camera
 from silpose.skeleton import standing_height
 
@@ -40,7 +41,8 @@ class Truth:
         Of the person in the world, metres.
     aim : ndarray, shape (F, 3)
         What the camera looks at, in the world, metres.
-    camera : Camera
+    camera : Camera or None
+        None where nobody knows it.
     errors : mapping of str to ndarray, shape (F,)
         By method, under the reported metric.
     """
@@ -48,12 +50,16 @@ class Truth:
     poses: Array
     root: Array
     aim: Array
-    camera: Camera
+    camera: Camera | None
     errors: Mapping[str, Array]
 
     @classmethod
-    def of(cls, take: Take, camera: Camera, errors: Mapping[str, Array]) -> Truth:
-        """Place a synthesised take in the world, its feet on the ground at y = 0."""
+    def of(cls, take: Take, camera: Camera, errors: Mapping[str, Array], space: PoseSpace) -> Truth:
+        """Place a take in the world, its feet on the ground at y = 0."""
+        if take.masks is None:
+            root = np.zeros_like(take.offset)
+            root[:, 1] = -space.joints(take.x)[..., 1].min(axis=1)
+            return cls(take.x, root, root, None, errors)
         height = standing_height(ANGLES.rotations(take.x))
         if not camera.follow:  # a camera that stands still sees the person rise and sink
             height = np.full(len(take), np.median(height - take.offset[:, 1])) + take.offset[:, 1]
@@ -70,6 +76,7 @@ def record_single_image(
     truth: Truth,
     shown: Sequence[str],
     texts: Mapping[str, str],
+    reasons: Reasons | None = None,
 ) -> None:
     """Write the recording of a single-image experiment.
 
@@ -86,11 +93,19 @@ def record_single_image(
         Methods whose errors are drawn, the estimated one first.
     texts : mapping of str to str
         Markdown by entity.
+    reasons : Reasons, optional
+        The training examples behind the estimates.
     """
     space, rate = model.space, model.frames_per_second
-    with _recording(path, name, texts, blueprint.single_image(shown, rate)) as recording:
+    layout = blueprint.single_image(
+        shown, rate, space.metrics[0], masks=bool(look.masks), reasons=reasons is not None
+    )
+    with _recording(path, name, texts, layout) as recording:
         track = _log_look(recording, look, rate)
-        track.camera(truth.camera, truth.aim)
+        if truth.camera is not None:
+            track.camera(truth.camera, truth.aim)
+        if reasons is not None:
+            log_reasons(recording, track, reasons, space)
         _log_estimate(track, space, look.x, truth.root)
         track.skeleton(
             entities.TRUE_SKELETON,
@@ -160,9 +175,10 @@ def _recording(
 
 
 def _log_look(recording: rr.RecordingStream, look: Look, frames_per_second: float) -> Track:
-    track = Track(recording, len(look.masks), frames_per_second)
-    track.masks(look.masks)
-    track.edge_points(look.points)
+    track = Track(recording, len(look.x), frames_per_second)
+    if look.masks:
+        track.masks(look.masks)
+        track.edge_points(look.points)
     track.bars(entities.HISTOGRAM, look.z, palette.TRUE)
     track.bars(entities.ACTIVATIONS, look.activations, palette.ESTIMATED)
     return track

@@ -8,6 +8,7 @@ from silpose.recording import entities
 
 _COLUMNS = {
     "mean_angular_error_deg": ("angles, °", "{:.2f}"),
+    "mean_joint_distance": ("joints", "{:.2f}"),
     "heading_mean_deg": ("heading, °", "{:.1f}"),
     "mpjpe_mm": ("joints, mm", "{:.0f}"),
     "kept": ("kept", "{:.0%}"),

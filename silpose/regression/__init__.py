@@ -1,40 +1,45 @@
-"""From descriptors z to poses x: ridge and relevance vector regression on kernel bases.
+"""From descriptors z to poses x: ridge, relevance vector and support vector regression.
 
 >>> import numpy as np
 >>> z = np.random.default_rng(0).random((60, 5))
 >>> x = np.stack([z[:, 0] * z[:, 1], np.sin(z[:, 2])], axis=1)
 >>> rvm = RelevanceVectorRegressor(nu=0.5).fit(z, x)
->>> rvm.predict(z[:1]).shape, rvm.kept_ < 1
-((1, 2), True)
+>>> estimated, std = rvm.predict(z, return_std=True)
+>>> print(estimated.shape, std.shape, f"{rvm.kept_:.0%} of the examples kept")
+(60, 2) (60, 2) 15% of the examples kept
 """
 
-from silpose.regression.basis import GaussianBasis
+from silpose.regression.basis import Basis
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
 from silpose.regression.rvm import RelevanceVectorRegressor
-from silpose.regression.selection import (
+from silpose.regression.selection import Candidates, Chosen
+from silpose.regression.settings import (
     BasisSettings,
-    Candidates,
-    Chosen,
     RidgeSettings,
     RvmSettings,
+    SvmSettings,
     check_methods,
 )
+from silpose.regression.svm import SupportVectorRegressor
 
 REGRESSORS: dict[str, type[Regressor]] = {
-    kind.__name__: kind for kind in (RidgeRegressor, RelevanceVectorRegressor)
+    kind.__name__: kind
+    for kind in (RidgeRegressor, RelevanceVectorRegressor, SupportVectorRegressor)
 }
 
 __all__ = [
     "REGRESSORS",
+    "Basis",
     "BasisSettings",
     "Candidates",
     "Chosen",
-    "GaussianBasis",
     "Regressor",
     "RelevanceVectorRegressor",
     "RidgeRegressor",
     "RidgeSettings",
     "RvmSettings",
+    "SupportVectorRegressor",
+    "SvmSettings",
     "check_methods",
 ]

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True)
@@ -23,15 +24,18 @@ class NormalEquations:
         FᵀF.
     target : ndarray, shape (p, m)
         FᵀY.
-    residue : float
-        ‖Y‖², the squared error of A = 0.
+    power : ndarray, shape (m,)
+        Squared norm of each output, the squared error of A = 0.
+    count : int
+        Number of examples.
     mean_f, mean_y, scale_y : ndarray
         What was taken out.
     """
 
     gram: Array
     target: Array
-    residue: float
+    power: Array
+    count: int
     mean_f: Array
     mean_y: Array
     scale_y: Array
@@ -44,11 +48,12 @@ class NormalEquations:
         # A constant output stays as it is; what rounding leaves of its variance is not blown up.
         constant = deviation <= 1e-10 * np.maximum(np.abs(mean_y), 1)
         scale_y = np.where(constant, 1.0, deviation)
-        centred, scaled = f - mean_f, (y - mean_y) / scale_y
+        centred, scaled = f - mean_f, np.where(constant, 0.0, (y - mean_y) / scale_y)
         return cls(
             centred.T @ centred,
             centred.T @ scaled,
-            float((scaled**2).sum()),
+            (scaled**2).sum(axis=0),
+            len(f),
             mean_f,
             mean_y,
             scale_y,
@@ -56,24 +61,65 @@ class NormalEquations:
 
     def solve(self, damping: float | Array) -> Array:
         """Minimise ‖F A - Y‖² + Σ_k damping_k ‖a_k‖², a_k being the k-th row of A (p, m)."""
-        return solve_damped(self.gram, self.target, damping)
+        matrix = self.gram.copy()
+        return solve_damped(matrix, self.target, damping)
 
-    def unscaled(self, a: Array, kept: NDArray[np.intp] | slice) -> tuple[Array, Array]:
+    def restrict(self, kept: Indices) -> NormalEquations:
+        """Give the problem with some of the basis functions only."""
+        return NormalEquations(
+            self.gram[np.ix_(kept, kept)],
+            self.target[kept],
+            self.power,
+            self.count,
+            self.mean_f[kept],
+            self.mean_y,
+            self.scale_y,
+        )
+
+    def output(self, j: int) -> NormalEquations:
+        """Give the problem of one output."""
+        return NormalEquations(
+            self.gram,
+            self.target[:, [j]],
+            self.power[[j]],
+            self.count,
+            self.mean_f,
+            self.mean_y[[j]],
+            self.scale_y[[j]],
+        )
+
+    def unscaled(self, a: Array, kept: Indices | slice) -> tuple[Array, Array]:
         """Turn the rows of A that are kept into coefficients and offset for the raw f and y."""
         coefficients = a * self.scale_y
         return coefficients, self.mean_y - self.mean_f[kept] @ coefficients
 
 
-def solve_damped(gram: Array, target: Array, damping: float | Array) -> Array:
-    """Solve (G + diag(damping)) A = T, raising the damping where rounding makes it necessary."""
-    extra = 0.0
+def solve_damped(matrix: Array, target: Array, damping: float | Array) -> Array:
+    """Solve (M + diag(damping)) A = T; M, symmetric, is overwritten."""
+    diagonal = matrix.diagonal().copy()
+    matrix.flat[:: len(matrix) + 1] += damping
+    try:
+        # Transposed, the symmetric matrix is as LAPACK wants it, and is not copied.
+        factor = cho_factor(matrix.T, lower=True, overwrite_a=True, check_finite=False)
+    except LinAlgError:
+        return _solve_singular(matrix, diagonal, target, damping)
+    return cho_solve(factor, target, check_finite=False)
+
+
+def _solve_singular(matrix: Array, diagonal: Array, target: Array, damping: float | Array) -> Array:
+    """Raise the damping by a few roundings of the largest diagonal entry until it can be solved.
+
+    That happens for near-duplicate examples. The upper half of the matrix was overwritten, the
+    lower half and the diagonal are at hand.
+    """
+    whole = np.tril(matrix, -1)
+    whole += whole.T
+    extra = 1e-14 * float(diagonal.max()) + 1e-300
     while True:
-        matrix = gram.copy()
-        matrix.flat[:: len(matrix) + 1] += damping + extra
+        whole.flat[:: len(whole) + 1] = diagonal + damping + extra
         try:
-            factor = cho_factor(matrix, lower=True, overwrite_a=True, check_finite=False)
+            factor = cho_factor(whole, lower=True, check_finite=False)
         except LinAlgError:
-            # Near-duplicate examples: damp by a few roundings of the largest diagonal entry.
-            extra = max(10 * extra, 1e-14 * float(gram.diagonal().max()), 1e-300)
+            extra *= 10
             continue
         return cho_solve(factor, target, check_finite=False)

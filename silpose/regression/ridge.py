@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from silpose.errors import InputError
-from silpose.regression.basis import GaussianBasis
+from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 
@@ -17,19 +17,20 @@ class RidgeRegressor(Regressor):
 
     Parameters
     ----------
-    basis : GaussianBasis or None
+    basis : Basis or None
         None is the default basis.
     damping : float
         λ; outputs are scaled to unit variance first.
     """
 
-    def __init__(self, basis: GaussianBasis | None = None, damping: float = 0.1) -> None:
+    def __init__(self, basis: Basis | None = None, damping: float = 0.1) -> None:
         self.basis = basis
         self.damping = damping
 
-    def fit_system(self, basis: GaussianBasis, system: NormalEquations) -> None:
+    def fit_system(self, basis: Basis, system: NormalEquations) -> None:
         """Solve normal equations already at hand."""
         if self.damping <= 0:
             raise InputError(f"damping must be positive, not {self.damping}")
-        everything = np.arange(len(basis.indices_))
-        self._keep(basis, system, system.solve(self.damping), everything)
+        everything = np.arange(basis.size_)
+        damping = np.full(basis.size_, float(self.damping))
+        self._keep(basis, system, system.solve(self.damping), everything, damping)

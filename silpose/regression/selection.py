@@ -2,68 +2,38 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from silpose.errors import InputError
 from silpose.progress import bar
-from silpose.regression.basis import GaussianBasis
+from silpose.regression.basis import Basis
+from silpose.regression.bridges import Bridges, cross
+from silpose.regression.elimination import sparsest_within
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
-from silpose.regression.rvm import Bridges, RelevanceVectorRegressor, cross, sparsest_within
+from silpose.regression.rvm import RelevanceVectorRegressor
+from silpose.regression.settings import (
+    BasisSettings,
+    RidgeSettings,
+    RvmSettings,
+    SvmSettings,
+    numbers,
+    share,
+)
+from silpose.regression.svm import SupportVectorRegressor
 
 Array = NDArray[np.float64]
+Examples = Sequence[tuple[Array, Array]]
 Error = Callable[[Array, Array], float]
 
-# Where the path to a wanted sparsity begins: one long step from ridge leaves a better set of
-# relevance vectors than many small ones, and is faster.
-_FIRST_NU = 32.0
-
-METHODS = ("ridge", "rvm", "rvm_N (at most N % kept)")
-
-
-@dataclass(frozen=True)
-class BasisSettings:
-    """Which kernels, and the width factors to choose from."""
-
-    centres: int = 2700
-    hellinger: bool = True
-    random_state: int | None = 0
-    width: float | list[float] = field(default_factory=lambda: [1.0, 2.0, 4.0, 8.0])
-
-    def __post_init__(self) -> None:
-        _numbers(self.width, "basis.width")
-
-
-@dataclass(frozen=True)
-class RidgeSettings:
-    """The λ, or those to choose from."""
-
-    damping: float | list[float] = field(default_factory=lambda: [0.01, 0.03, 0.1, 0.3, 1.0])
-
-    def __post_init__(self) -> None:
-        _numbers(self.damping, "ridge.damping")
-
-
-@dataclass(frozen=True)
-class RvmSettings:
-    """The ν, or those to choose from, and when to stop.
-
-    Chosen is the sparsest regressor whose validation error is at most `slack` above the best.
-    """
-
-    nu: float | list[float] = field(default_factory=lambda: [8.0, 16.0, 32.0, 64.0])
-    slack: float = 0.03
-    max_iter: int = 200
-    tol: float = 1e-2
-
-    def __post_init__(self) -> None:
-        _numbers(self.nu, "rvm.nu")
+_FIRST_NU = 16.0  # of the path to a wanted sparsity
+_FOLDS = 5  # of cross-validation, if no sequences are set aside for validation
 
 
 @dataclass
@@ -85,7 +55,7 @@ class Chosen:
 class Candidates:
     """Settings to choose from, by error on validation sequences.
 
-    The kernel's width is chosen with ridge regression and kept for the RVMs: their errors
+    The kernel's width is chosen with ridge regression and kept for the others: their errors
     depend on it in the same way, and a kernel matrix costs more than a solution.
 
     Parameters
@@ -93,132 +63,200 @@ class Candidates:
     basis : BasisSettings
     ridge : RidgeSettings
     rvm : RvmSettings
+    svm : SvmSettings
     """
 
     basis: BasisSettings = field(default_factory=BasisSettings)
     ridge: RidgeSettings = field(default_factory=RidgeSettings)
     rvm: RvmSettings = field(default_factory=RvmSettings)
+    svm: SvmSettings = field(default_factory=SvmSettings)
 
     def choose(
-        self,
-        methods: Sequence[str],
-        train: tuple[Array, Array],
-        validation: tuple[Array, Array],
-        error: Error,
+        self, methods: Sequence[str], train: Examples, validation: Examples, error: Error
     ) -> Chosen:
-        """Fit every method with the settings that are best on validation.
+        """Fit every method to all training sequences, with the settings best on validation.
 
         Parameters
         ----------
         methods : sequence of str
-            ``ridge``, ``rvm`` (ν chosen), or ``rvm_N`` (at most N % of the kernels kept).
-        train, validation : tuple of ndarray
-            Descriptors (n, d) and poses (n, D).
+            ``ridge``, ``rvm`` (ν chosen), ``rvm_N`` (N % of the kernels kept), ``svm``.
+        train, validation : sequence of (z, x)
+            Descriptors (n, d) and poses (n, D) of each sequence. Without validation sequences,
+            training sequences are left out by turns: cross-validation over sequences, never
+            over frames.
         error : callable
-            Of true and estimated poses.
+            Of true and estimated poses, as a mean over frames.
         """
-        shares = {method: _share(method) for method in methods}
-        widths = _numbers(self.basis.width, "basis.width")
+        whole = _Problem(self.basis, *_joined(train))
+        folds = [_Fold(whole, *_joined(validation))] if validation else self._folds(train)
         chosen = Chosen()
-        with bar("regression", len(widths) + len(methods)) as advance:
-            search = _Search(validation, error, chosen, advance)
-            problem = search.widths(
-                self.basis, _numbers(self.ridge.damping, "ridge.damping"), train
-            )
-            if "ridge" not in methods:
-                del chosen.regressors["ridge"]
-                chosen.rows = []
-            if any(method != "ridge" for method in methods):
-                search.relevance(self.rvm, shares, *problem)
+        with bar("regression", len(folds) * (len(self.basis.widths()) + 1) + len(methods)) as step:
+            width, damping = self._width_and_damping(folds, error, chosen, step)
+            if "ridge" in methods:
+                regressor = RidgeRegressor(self.basis.basis(width), damping)
+                regressor.fit_system(*whole.system(width))
+                chosen.regressors["ridge"] = regressor
+            else:
+                chosen.rows.clear()
+            if "rvm" in methods:
+                chosen.regressors["rvm"] = self._rvm(folds, whole, width, error, chosen, step)
+            if "svm" in methods:
+                chosen.regressors["svm"] = self._svm(folds, whole, width, error, chosen)
+            for method in methods:
+                if (wanted := share(method)) is not None:
+                    chosen.regressors[method] = self._sparse(whole, width, wanted)
+                step(1)
         chosen.regressors = {method: chosen.regressors[method] for method in methods}
         return chosen
 
+    def _folds(self, train: Examples) -> list[_Fold]:
+        """Deal the sequences into folds of about equal size, the longest first."""
+        if len(train) < 2:
+            raise InputError("choosing settings needs a validation sequence, or two for training")
+        parts: list[list[int]] = [[] for _ in range(min(_FOLDS, len(train)))]
+        for k in sorted(range(len(train)), key=lambda k: -len(train[k][0])):
+            min(parts, key=lambda part: sum(len(train[i][0]) for i in part)).append(k)
+        return [
+            _Fold(
+                _Problem(self.basis, *_joined([t for k, t in enumerate(train) if k not in part])),
+                *_joined([train[k] for k in part]),
+            )
+            for part in parts
+        ]
+
+    def _width_and_damping(
+        self, folds: list[_Fold], error: Error, chosen: Chosen, step: Callable[[int], None]
+    ) -> tuple[float, float]:
+        tried: dict[tuple[float, float], list[float]] = {}
+        for fold in folds:
+            for width in self.basis.widths():
+                basis, system = fold.problem.system(width)
+                for damping in numbers(self.ridge.damping, "ridge.damping"):
+                    regressor = RidgeRegressor(None, damping)
+                    regressor.fit_system(basis, system)
+                    tried.setdefault((width, damping), []).append(fold.error(regressor, error))
+                step(1)
+            if len(folds) > 1:
+                fold.problem.forget()
+        errors = {setting: _mean(values, folds) for setting, values in tried.items()}
+        for (width, damping), value in errors.items():
+            note(chosen, "ridge", 1.0, value, width=width, damping=damping)
+        return min(errors, key=errors.__getitem__)
+
+    def _rvm(
+        self,
+        folds: list[_Fold],
+        whole: _Problem,
+        width: float,
+        error: Error,
+        chosen: Chosen,
+        step: Callable[[int], None],
+    ) -> Regressor:
+        tried: dict[float, list[tuple[float, float]]] = {}
+        for fold in folds:
+            for regressor in self._path(fold.problem, width):
+                result = fold.error(regressor, error), regressor.kept_
+                tried.setdefault(regressor.nu_, []).append(result)
+            step(1)
+        errors = {nu: _mean([e for e, _ in values], folds) for nu, values in tried.items()}
+        kept = {nu: float(np.mean([k for _, k in values])) for nu, values in tried.items()}
+        for nu, value in errors.items():
+            note(chosen, "rvm", kept[nu], value, width=width, nu=nu)
+        bound = (1 + self.rvm.slack) * min(errors.values())
+        best = min((nu for nu in errors if errors[nu] <= bound), key=kept.__getitem__)
+        return next(r for r in self._path(whole, width) if r.nu_ == best)
+
+    def _path(self, problem: _Problem, width: float) -> Iterator[RelevanceVectorRegressor]:
+        """Regressors along rising ν, each started where the one before ended."""
+        basis, system = problem.system(width)
+        for nu in sorted(numbers(self.rvm.nu, "rvm.nu")):
+            if (width, nu) not in problem.states:
+                last = problem.states.get(width) or Bridges.start(system)
+                state = cross(system, last, nu, self.rvm.max_iter, self.rvm.tol)
+                problem.states[width] = problem.states[width, nu] = state
+            regressor = RelevanceVectorRegressor(self.basis.basis(width), nu=nu, **self._limits())
+            regressor.take(basis, system, nu, problem.states[width, nu])
+            yield regressor
+
+    def _sparse(self, whole: _Problem, width: float, wanted: float) -> Regressor:
+        basis, system = whole.system(width)
+        regressor = RelevanceVectorRegressor(
+            self.basis.basis(width), nu=_FIRST_NU, keep_at_most=wanted, **self._limits()
+        )
+        count = max(1, int(wanted * basis.size_))
+        start = Bridges.start(system)
+        limits = self.rvm.max_iter, self.rvm.tol
+        regressor.take(basis, system, *sparsest_within(system, count, _FIRST_NU, start, *limits))
+        return regressor
+
+    def _svm(
+        self, folds: list[_Fold], whole: _Problem, width: float, error: Error, chosen: Chosen
+    ) -> Regressor:
+        penalties = numbers(self.svm.penalty, "svm.penalty")
+        machines = {p: SupportVectorRegressor(None, self.svm.tube, p, n_jobs=-1) for p in penalties}
+        if len(penalties) == 1:  # nothing to choose, and the slowest to fit
+            best = penalties[0]
+        else:
+            errors = {}
+            for penalty, machine in machines.items():
+                values = []
+                for fold in folds:
+                    machine.fit_basis(fold.problem.basis(width), fold.problem.z, fold.problem.x)
+                    values.append(fold.error(machine, error))
+                errors[penalty] = _mean(values, folds)
+                note(chosen, "svm", machine.kept_, errors[penalty], width=width, penalty=penalty)
+            best = min(errors, key=errors.__getitem__)
+        machines[best].fit_basis(whole.basis(width), whole.z, whole.x)
+        return machines[best]
+
+    def _limits(self) -> dict[str, Any]:
+        return {"max_iter": self.rvm.max_iter, "tol": self.rvm.tol}
+
+
+def note(chosen: Chosen, method: str, kept: float, error: float, **settings: float) -> None:
+    """Write down what a setting gave."""
+    row = {"method": method, **settings, "kept": kept, "validation_error": error}
+    chosen.rows.append(row)
+
 
 @dataclass
-class _Search:
-    validation: tuple[Array, Array]
-    error: Error
-    chosen: Chosen
-    advance: Callable[[int], None]
+class _Problem:
+    """Training examples, with one kernel matrix for each width, and states of the paths over ν."""
 
-    def widths(
-        self, settings: BasisSettings, dampings: list[float], train: tuple[Array, Array]
-    ) -> tuple[GaussianBasis, NormalEquations]:
-        """Choose width and damping of ridge regression; return the best width's problem."""
-        z, x = train
-        best = np.inf
-        for width in _numbers(settings.width, "basis.width"):
-            basis = GaussianBasis(
-                settings.centres, width, settings.hellinger, settings.random_state
-            ).fit(z)
-            system = NormalEquations.of(basis.transform(z), x)
-            for damping in dampings:
-                regressor = RidgeRegressor(basis, damping)
-                regressor.fit_system(basis, system)
-                error = self.note("ridge", regressor, width=width, damping=damping)
-                if error < best:
-                    best, problem = error, (basis, system)
-                    self.chosen.regressors["ridge"] = regressor
-            self.advance(1)
-        return problem
+    settings: BasisSettings
+    z: Array
+    x: Array
+    systems: dict[float, tuple[Basis, NormalEquations]] = field(default_factory=dict)
+    states: dict[Any, Bridges] = field(default_factory=dict)
 
-    def relevance(
-        self,
-        settings: RvmSettings,
-        shares: dict[str, float | None],
-        basis: GaussianBasis,
-        system: NormalEquations,
-    ) -> None:
-        """Walk the path over ν, and raise it further for each wanted sparsity."""
-        limits = settings.max_iter, settings.tol
-        if "rvm" in shares:
-            state, tried = Bridges.start(system), []
-            for nu in sorted(_numbers(settings.nu, "rvm.nu")):
-                state = cross(system, state, nu, *limits)
-                regressor = RelevanceVectorRegressor(basis, nu)
-                regressor.take(basis, system, nu, state)
-                tried.append((self.note("rvm", regressor, width=basis.width, nu=nu), regressor))
-            bound = (1 + settings.slack) * min(error for error, _ in tried)
-            good = [regressor for error, regressor in tried if error <= bound]
-            self.chosen.regressors["rvm"] = min(good, key=lambda regressor: regressor.kept_)
-            self.advance(1)
-        nu, state = _FIRST_NU, Bridges.start(system)
-        wanted = sorted((s, m) for m, s in shares.items() if s is not None)
-        for share, method in reversed(wanted):  # the sparser goes on where the denser ends
-            count = max(1, int(share * len(system.gram)))
-            nu, state = sparsest_within(system, count, nu, state, *limits)
-            regressor = RelevanceVectorRegressor(basis, nu, share)
-            regressor.take(basis, system, nu, state)
-            self.note(method, regressor, width=basis.width, nu=nu)
-            self.chosen.regressors[method] = regressor
-            self.advance(1)
+    def basis(self, width: float) -> Basis:
+        return self.settings.basis(width).fit(self.z)
 
-    def note(self, method: str, regressor: Regressor, **settings: float) -> float:
-        z, x = self.validation
-        error = self.error(x, regressor.predict(z))
-        row = {"method": method, **settings, "kept": regressor.kept_, "validation_error": error}
-        self.chosen.rows.append(row)
-        return error
+    def system(self, width: float) -> tuple[Basis, NormalEquations]:
+        if width not in self.systems:
+            basis = self.basis(width)
+            self.systems[width] = basis, NormalEquations.of(basis.transform(self.z), self.x)
+        return self.systems[width]
+
+    def forget(self) -> None:
+        """Free the kernel matrices."""
+        self.systems.clear()
 
 
-def check_methods(methods: Sequence[str]) -> None:
-    """Refuse a name that is no method, before hours are spent on the others."""
-    for method in methods:
-        _share(method)
+@dataclass
+class _Fold:
+    problem: _Problem
+    z: Array
+    x: Array
+
+    def error(self, regressor: Regressor, error: Error) -> float:
+        return float(error(self.x, regressor.predict(self.z)))
 
 
-def _share(method: str) -> float | None:
-    """Share of kernels that a method's name allows; None if it does not say."""
-    if method in ("ridge", "rvm"):
-        return None
-    percent = re.fullmatch(r"rvm_(\d+)", method)
-    if not percent or not 0 < int(percent[1]) <= 100:
-        raise InputError(f"there is no method '{method}'; there are {', '.join(METHODS)}")
-    return int(percent[1]) / 100
+def _joined(examples: Examples) -> tuple[Array, Array]:
+    z, x = zip(*examples, strict=True)
+    return np.concatenate(z), np.concatenate(x)
 
 
-def _numbers(value: float | Iterable[float], name: str) -> list[float]:
-    values = [value] if isinstance(value, int | float) else list(value)
-    if not values or not all(isinstance(v, int | float) and v > 0 for v in values):
-        raise InputError(f"regression.{name} is to be positive numbers, not {value!r}")
-    return [float(v) for v in values]
+def _mean(errors: list[float], folds: list[_Fold]) -> float:
+    return float(np.average(errors, weights=[len(fold.z) for fold in folds]))

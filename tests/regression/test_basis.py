@@ -3,12 +3,13 @@ import pytest
 from sklearn.metrics.pairwise import rbf_kernel
 
 from silpose.errors import InputError
-from silpose.regression import GaussianBasis
+from silpose.regression import Basis
+from silpose.regression.basis import KERNELS
 
 
 def test_kernels_are_gaussians_of_the_width_that_the_scatter_gives(smooth):
     (z, _), (other, _) = smooth
-    basis = GaussianBasis(centres=50, width=3).fit(z)
+    basis = Basis(centres=50, width=3, hellinger=True).fit(z)
     beta = 3 / (2 * np.trace(np.cov(np.sqrt(z).T, bias=True)))
     expected = rbf_kernel(np.sqrt(other), np.sqrt(z[basis.indices_]), gamma=beta)
     np.testing.assert_allclose(basis.transform(other), expected)
@@ -16,24 +17,66 @@ def test_kernels_are_gaussians_of_the_width_that_the_scatter_gives(smooth):
 
 def test_raw_histograms_on_demand(smooth):
     (z, _), _ = smooth
-    basis = GaussianBasis(hellinger=False).fit(z)
+    basis = Basis(hellinger=False).fit(z)
     np.testing.assert_array_equal(basis.centres_, z)
     with pytest.raises(InputError, match="hellinger=False"):
-        GaussianBasis().fit(z - 1)
+        Basis(hellinger=True).fit(z - 1)
 
 
 def test_centres_are_drawn_by_seed(smooth):
     (z, _), _ = smooth
-    first, again, other = (GaussianBasis(20, random_state=s).fit(z).indices_ for s in (1, 1, 2))
+    first, again, other = (Basis(centres=20, random_state=s).fit(z).indices_ for s in (1, 1, 2))
     np.testing.assert_array_equal(first, again)
     assert not np.array_equal(first, other)
 
 
 def test_constant_inputs_have_a_width_too():
-    assert np.isfinite(GaussianBasis().fit(np.ones((5, 3))).transform(np.ones((2, 3)))).all()
+    assert np.isfinite(Basis().fit(np.ones((5, 3))).transform(np.ones((2, 3)))).all()
 
 
 @pytest.mark.parametrize("wrong", [{"centres": 0}, {"width": 0}])
 def test_what_is_not_positive_is_named(wrong):
     with pytest.raises(InputError, match="must be positive"):
-        GaussianBasis(**wrong).fit(np.ones((5, 3)))
+        Basis(**wrong).fit(np.ones((5, 3)))
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_every_kernel_has_a_scale_of_its_own(smooth, kernel):
+    (z, _), (other, _) = smooth
+    f = Basis(kernel).fit(z).transform(other)
+    assert f.shape == (100, 200)
+    assert np.isfinite(f).all()
+    assert f.std() > 1e-3
+    scaled = Basis(kernel).fit(100 * z).transform(100 * other)
+    if kernel in ("gaussian", "laplacian", "chi2", "cosine"):
+        np.testing.assert_allclose(scaled, f, rtol=1e-6)
+
+
+def test_features_are_standardised_and_come_after_kernels(smooth):
+    (z, _), _ = smooth
+    z = z * np.array([1, 1e6, 1e-6, 1, 1, 1, 1, 0])  # the last is constant
+    both = Basis("gaussian", linear=True, centres=20).fit(z)
+    f = both.transform(z)
+    assert f.shape == (200, 28)
+    assert both.size_ == 28
+    np.testing.assert_allclose(f[:, 20:27].std(axis=0), 1)
+    np.testing.assert_array_equal(f[:, 27], 0)
+    np.testing.assert_array_equal(Basis(None, linear=True).fit(z).transform(z), f[:, 20:])
+
+
+def test_restricted_and_restored_it_gives_the_same(smooth):
+    (z, _), (other, _) = smooth
+    basis = Basis("laplacian", linear=True, centres=30).fit(z)
+    kept = np.array([2, 17, 31, 36])
+    some = basis.restrict(kept)
+    np.testing.assert_array_equal(some.transform(other), basis.transform(other)[:, kept])
+    restored = Basis.from_state(some.state())
+    np.testing.assert_array_equal(restored.transform(other), some.transform(other))
+
+
+def test_unknown_or_no_functions_are_refused(smooth):
+    (z, _), _ = smooth
+    with pytest.raises(InputError, match="no kernel 'gausian'"):
+        Basis("gausian").fit(z)
+    with pytest.raises(InputError, match="wants linear=True"):
+        Basis(None).fit(z)

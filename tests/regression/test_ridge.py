@@ -3,14 +3,14 @@ import pytest
 from sklearn.linear_model import Ridge
 
 from silpose.errors import InputError
-from silpose.regression import GaussianBasis, RidgeRegressor
+from silpose.regression import Basis, RidgeRegressor
 
 
 @pytest.mark.parametrize("damping", [1e-3, 0.1, 10])
 def test_agrees_with_scikit_learn_on_the_same_kernels(smooth, damping):
     (z, x), (unseen, _) = smooth
-    ours = RidgeRegressor(GaussianBasis(centres=80), damping).fit(z, x)
-    kernels = GaussianBasis(centres=80).fit(z)
+    ours = RidgeRegressor(Basis(centres=80), damping).fit(z, x)
+    kernels = Basis(centres=80).fit(z)
     scale = x.std(axis=0)
     theirs = Ridge(alpha=damping).fit(kernels.transform(z), x / scale)
     np.testing.assert_allclose(

@@ -1,0 +1,106 @@
+"""What most experiments begin with: data, descriptors, regressors chosen by validation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose.dataset import Dataset, poses
+from silpose.descriptor import ShapeContextHistogram
+from silpose.evaluation import baselines, measure
+from silpose.experiments.rooms import Rooms, describe, learn_descriptor
+from silpose.model import PoseModel
+from silpose.regression import Candidates, Chosen, Regressor
+from silpose.run import Run
+
+Array = NDArray[np.float64]
+Examples = list[tuple[Array, Array]]
+Error = Callable[[Array, Array], float]
+
+
+@dataclass(frozen=True)
+class Described:
+    """A dataset whose masks are described.
+
+    Attributes
+    ----------
+    data : Dataset
+    descriptor : ShapeContextHistogram or None
+    train, validation, test : list of (z, x)
+        Of each sequence.
+    """
+
+    data: Dataset
+    descriptor: ShapeContextHistogram | None
+    train: Examples
+    validation: Examples
+    test: Examples
+
+    def learn(
+        self,
+        candidates: Candidates,
+        methods: Sequence[str],
+        part: str | None = None,
+    ) -> Chosen:
+        """Fit methods with the settings best on validation, to the whole pose or to one part."""
+        train, validation = self.examples("train", part), self.examples("validation", part)
+        return candidates.choose(methods, train, validation, self.error(part))
+
+    def examples(self, split: str, part: str | None = None) -> Examples:
+        """Give z and x of each sequence of a split, x whole or one part's columns."""
+        examples: Examples = getattr(self, split)
+        if part is None:
+            return examples
+        columns = self.data.space.parts[part]
+        return [(z, x[:, columns]) for z, x in examples]
+
+    def error(self, part: str | None = None) -> Error:
+        """Give the function that measures true against estimated poses, whole or of a part."""
+        space = self.data.space
+        if part is None:
+            return lambda true, estimated: float(space.distance(true, estimated).mean())
+        return lambda true, estimated: float(space.part_distance(part, true, estimated).mean())
+
+    def model(self, regressor: Regressor) -> PoseModel:
+        """Put what was learnt together."""
+        return PoseModel(
+            self.descriptor, regressor, self.data.space, self.data.test[0].frames_per_second
+        )
+
+
+def prepare(rooms: Rooms, run: Run) -> Described:
+    """Photograph or read the dataset, learn the codebook, describe every mask."""
+    with run.stage("masks"):
+        data = rooms.dataset()
+    with run.stage("descriptors"):
+        descriptor = learn_descriptor(rooms, data)
+        parts = (describe(descriptor, part) for part in (data.train, data.validation, data.test))
+        return Described(data, descriptor, *parts)
+
+
+def compare(
+    described: Described, regressors: dict[str, Regressor]
+) -> tuple[dict[str, Array], dict[str, dict[str, float]]]:
+    """Estimate the test poses by the baselines and by regressors, and measure all of them."""
+    space = described.data.space
+    z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
+    z_test = np.concatenate([z for z, _ in described.test])
+    x_test = poses(described.data.test)
+    estimates = baselines(space, z_train, x_train, z_test, x_test)
+    estimates |= {m: regressor.predict(z_test) for m, regressor in regressors.items()}
+    metrics = {m: measure(space, x_test, e, x_train) for m, e in estimates.items()}
+    for method, regressor in regressors.items():
+        metrics[method]["kept"] = regressor.kept_
+    return estimates, metrics
+
+
+def tidy(metrics: dict[str, dict[str, float]]) -> list[dict[str, object]]:
+    """Rows of ``results.csv``: one per method and value."""
+    return [
+        {"method": method, "metric": name, "value": value}
+        for method, values in metrics.items()
+        for name, value in values.items()
+    ]
