@@ -35,6 +35,8 @@ class PoseSpace(ABC):
         The measures of `silpose.evaluation` that make sense here, the reported one first.
     parts : mapping of str to ndarray of int
         Columns of each body part.
+    units : ndarray, shape (D,)
+        What one unit of the reported metric is in each column: for cos and sin, a degree.
     joint_names, bones
         What `joints` returns, and which pairs of it to join by a line.
     """
@@ -43,6 +45,7 @@ class PoseSpace(ABC):
     columns: tuple[str, ...]
     metrics: tuple[str, ...]
     parts: Mapping[str, NDArray[np.intp]]
+    units: Array
     joint_names: tuple[str, ...]
     bones: tuple[tuple[int, int], ...]
 
@@ -78,6 +81,10 @@ class PoseSpace(ABC):
         return x
 
 
+def _units(columns: tuple[str, ...]) -> Array:
+    return np.array([np.deg2rad(1.0) if c.startswith("heading") else 1.0 for c in columns])
+
+
 class AnglePoseSpace(PoseSpace):
     """The 55 numbers of the paper: cos and sin of the heading, then 53 joint angles in degrees."""
 
@@ -109,6 +116,7 @@ class AnglePoseSpace(PoseSpace):
             part: np.array([c for c, n in enumerate(self.columns) if self._joint(n) in joints])
             for part, joints in joints_of.items()
         }
+        self.units = _units(self.columns)
 
     @staticmethod
     def _joint(column: str) -> str:
@@ -191,6 +199,7 @@ class AuthorsPoseSpace(PoseSpace):
             part: np.array([c for c, n in enumerate(self.columns) if n.rsplit("_", 1)[0] in joints])
             for part, joints in joints_of.items()
         }
+        self.units = _units(self.columns)
 
     def distance(self, x: ArrayLike, other: ArrayLike) -> Array:
         """Mean distance of all 21 joints, the two that never move included, their own units."""

@@ -18,6 +18,10 @@ _HEADLINES = {
     "heading_median_deg": ("heading", "{:.1f}°"),
     "heading_over_20deg": ("off by 20°", "{:.0%}"),
     "mpjpe_mm": ("joints", "{:.0f} mm"),
+    "error": ("error", "{:.2f}"),
+    "mean_pose_error": ("mean pose", "{:.2f}"),
+    "functions_kept": ("functions kept", "{:.0f}"),
+    "points_share": ("points retained", "{:.0%}"),
     "kept": ("kernels", "{:.0%}"),
 }
 

@@ -2,10 +2,17 @@
 
 from collections.abc import Callable
 
+from silpose.experiments.bridges import bridges
+from silpose.experiments.feature_selection import feature_selection
+from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
+from silpose.experiments.regressors import regressors
 from silpose.experiments.rooms import OwnMasks, Rooms
 from silpose.experiments.single_image import single_image
 
-EXPERIMENTS: dict[str, Callable[..., None]] = {"predict": predict, "single_image": single_image}
+EXPERIMENTS: dict[str, Callable[..., None]] = {
+    experiment.__name__: experiment
+    for experiment in (bridges, feature_selection, parts, predict, regressors, single_image)
+}
 
-__all__ = ["EXPERIMENTS", "OwnMasks", "Rooms", "predict", "single_image"]
+__all__ = ["EXPERIMENTS", "OwnMasks", "Rooms"]

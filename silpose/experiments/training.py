@@ -47,7 +47,9 @@ class Described:
     ) -> Chosen:
         """Fit methods with the settings best on validation, to the whole pose or to one part."""
         train, validation = self.examples("train", part), self.examples("validation", part)
-        return candidates.choose(methods, train, validation, self.error(part))
+        space = self.data.space
+        units = space.units if part is None else space.units[space.parts[part]]
+        return candidates.choose(methods, train, validation, self.error(part), units)
 
     def examples(self, split: str, part: str | None = None) -> Examples:
         """Give z and x of each sequence of a split, x whole or one part's columns."""
@@ -59,10 +61,18 @@ class Described:
 
     def error(self, part: str | None = None) -> Error:
         """Give the function that measures true against estimated poses, whole or of a part."""
+        return lambda true, estimated: float(self.distances(part, true, estimated).mean())
+
+    def distances(self, part: str | None, true: Array, estimated: Array) -> Array:
+        """Distance of whole poses, or of a part's columns, frame by frame."""
         space = self.data.space
         if part is None:
-            return lambda true, estimated: float(space.distance(true, estimated).mean())
-        return lambda true, estimated: float(space.part_distance(part, true, estimated).mean())
+            return space.distance(true, estimated)
+        return space.part_distance(part, true, estimated)
+
+    def mean_pose(self, part: str | None = None) -> Array:
+        """Mean training pose, whole or of a part, shape (D,)."""
+        return np.concatenate([x for _, x in self.examples("train", part)]).mean(axis=0)
 
     def model(self, regressor: Regressor) -> PoseModel:
         """Put what was learnt together."""
@@ -93,7 +103,7 @@ def compare(
     estimates |= {m: regressor.predict(z_test) for m, regressor in regressors.items()}
     metrics = {m: measure(space, x_test, e, x_train) for m, e in estimates.items()}
     for method, regressor in regressors.items():
-        metrics[method]["kept"] = regressor.kept_
+        metrics[method] |= {"kept": regressor.kept_, "kept_per_output": regressor.kept_per_output_}
     return estimates, metrics
 
 

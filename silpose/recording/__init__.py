@@ -3,6 +3,17 @@
 from silpose.recording.notebook import show
 from silpose.recording.reasons import Reasons
 from silpose.recording.record import Truth, record_prediction, record_single_image
+from silpose.recording.study import record_bridges, record_features, record_study
 from silpose.recording.texts import texts
 
-__all__ = ["Reasons", "Truth", "record_prediction", "record_single_image", "show", "texts"]
+__all__ = [
+    "Reasons",
+    "Truth",
+    "record_bridges",
+    "record_features",
+    "record_prediction",
+    "record_single_image",
+    "record_study",
+    "show",
+    "texts",
+]

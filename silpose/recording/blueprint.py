@@ -54,6 +54,43 @@ def predict(frames_per_second: float) -> rrb.Blueprint:
     return _layout([_seen(), answered, _texts()], [1, 1.9, 0.8], frames_per_second)
 
 
+def study(title: str, frames_per_second: float) -> rrb.Blueprint:
+    """Lay out a figure, and the errors behind it over time."""
+    shown = rrb.Vertical(
+        rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
+        _series(title, [f"{entities.ERROR}/**"]),
+        row_shares=[1.6, 1],
+    )
+    return _layout([shown, _texts()], [2.4, 1], frames_per_second)
+
+
+def bridges() -> rrb.Blueprint:
+    """Lay out how the columns of an RVM vanish; a frame is an iteration."""
+    shown = rrb.Vertical(
+        rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
+        _bars(entities.COLUMN_NORMS, "regression: size of every basis function's column"),
+        rrb.Horizontal(
+            _series("columns left", [entities.COLUMNS_LEFT]),
+            _series("objective (Eq. 5) of the columns left", [entities.OBJECTIVE]),
+        ),
+        row_shares=[1.6, 1, 0.8],
+    )
+    return _layout([shown, _texts()], [2.4, 1], 2.0)
+
+
+def features(parts: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
+    """Lay out one picture per body part: the silhouette and the points that tell its pose."""
+    views = [
+        rrb.Spatial2DView(
+            origin=entities.CAMERA,
+            contents=[entities.MASK, f"{entities.FEATURES}/{part}"],
+            name=part.replace("_", " "),
+        )
+        for part in parts
+    ]
+    return _layout([rrb.Grid(*views, grid_columns=3), _texts()], [2.6, 1], frames_per_second)
+
+
 def _layout(
     columns: Sequence[rrb.Container | rrb.View], shares: Sequence[float], frames_per_second: float
 ) -> rrb.Blueprint:

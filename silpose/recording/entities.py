@@ -21,7 +21,13 @@ REASONS_OUTLINES = "/regression/reasons/outlines"
 REASONS_SKELETONS = "/regression/reasons/skeletons"
 REASONS_WEIGHTS = "/regression/reasons/weights"
 
+COLUMN_NORMS = "/regression/bridges/norms"
+COLUMNS_LEFT = "/regression/bridges/columns_left"
+OBJECTIVE = "/regression/bridges/objective"
+FEATURES = "/silhouette/camera/retained"  # one entity below it per body part
+
 ERROR = "/evaluation/error"  # one entity below it per method
 
+FIGURE = "/run/figure"
 SETTINGS = "/run/settings"
 METRICS = "/run/metrics"

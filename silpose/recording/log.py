@@ -82,15 +82,15 @@ class Track:
             static=True,
         )
 
-    def edge_points(self, points: Sequence[NDArray[Any]]) -> None:
-        """Log the edge points, per frame (P, 2) in pixels."""
+    def points(self, entity: str, points: Sequence[NDArray[Any]], colour: palette.Colour) -> None:
+        """Log points in a picture, per frame (P, 2) in pixels."""
         self._recording.log(
-            entities.EDGE_POINTS,
-            rr.Points2D.from_fields(colors=palette.EDGE, radii=rr.Radius.ui_points(1.8)),
+            entity,
+            rr.Points2D.from_fields(colors=colour, radii=rr.Radius.ui_points(1.8)),
             static=True,
         )
         self.columns(
-            entities.EDGE_POINTS,
+            entity,
             rr.Points2D.columns(positions=np.concatenate(points)),
             [len(p) for p in points],
         )

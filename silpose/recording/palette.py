@@ -1,5 +1,7 @@
 """Colours: one hue per kind of thing, the left side of a body light and the right side dark."""
 
+import colorsys
+
 Colour = tuple[int, int, int]
 
 TRUE: Colour = (80, 190, 255)
@@ -16,6 +18,12 @@ METHODS: dict[str, Colour] = {
     "oracle": (90, 110, 200),
     "ridge": (200, 120, 220),
 }
+
+
+def hue(k: int, count: int) -> Colour:
+    """Colour of the k-th of several things, around the colour wheel."""
+    red, green, blue = colorsys.hsv_to_rgb(k / max(count, 1), 0.55, 0.95)
+    return int(255 * red), int(255 * green), int(255 * blue)
 
 
 def shade(colour: Colour, side: str) -> Colour:

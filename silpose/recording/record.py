@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import zlib
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 import rerun as rr
-import rerun.blueprint as rrb
 from numpy.typing import NDArray
 
 from silpose.dataset import Sequence as Take
 from silpose.pose import ANGLES, PoseSpace
 from silpose.recording import blueprint, entities, palette
-from silpose.recording.log import Track, log_text
+from silpose.recording.log import Track
 from silpose.recording.reasons import Reasons, log_reasons
+from silpose.recording.stream import recording_stream
 from silpose.silhouette import Camera
 from silpose.skeleton import standing_height
 
@@ -26,8 +24,6 @@ if TYPE_CHECKING:
     from silpose.model import Look, PoseModel
 
 Array = NDArray[np.float64]
-
-APPLICATION = "silpose"
 
 
 @dataclass(frozen=True)
@@ -100,7 +96,7 @@ def record_single_image(
     layout = blueprint.single_image(
         shown, rate, space.metrics[0], masks=bool(look.masks), reasons=reasons is not None
     )
-    with _recording(path, name, texts, layout) as recording:
+    with recording_stream(path, name, texts, layout) as recording:
         track = _log_look(recording, look, rate)
         if truth.camera is not None:
             track.camera(truth.camera, truth.aim)
@@ -147,7 +143,7 @@ def record_prediction(
     texts : mapping of str to str
         Markdown by entity.
     """
-    with _recording(path, name, texts, blueprint.predict(frames_per_second)) as recording:
+    with recording_stream(path, name, texts, blueprint.predict(frames_per_second)) as recording:
         track = _log_look(recording, look, frames_per_second)
         height, width = np.max([np.shape(mask) for mask in look.masks], axis=0)
         track.image_plane(int(width), int(height))
@@ -157,28 +153,11 @@ def record_prediction(
         _log_estimate(track, model.space, look.x, root)
 
 
-@contextmanager
-def _recording(
-    path: Path, name: str, texts: Mapping[str, str], layout: rrb.Blueprint
-) -> Iterator[rr.RecordingStream]:
-    # A stream of its own: rr.init would give all jobs of one process the same recording id. The
-    # settings go into the id, since runs of the same name under two roots are not the same run.
-    digest = zlib.crc32(texts.get(entities.SETTINGS, "").encode())
-    with rr.RecordingStream(APPLICATION, recording_id=f"{name}/{digest:08x}") as recording:
-        recording.save(path, default_blueprint=layout)
-        recording.set_log_time_enabled(False)  # the same run gives the same recording
-        recording.send_recording_name(name)
-        recording.log("/", rr.ViewCoordinates.RIGHT_HAND_Y_UP, static=True)
-        for entity, markdown in texts.items():
-            log_text(recording, entity, markdown)
-        yield recording
-
-
 def _log_look(recording: rr.RecordingStream, look: Look, frames_per_second: float) -> Track:
     track = Track(recording, len(look.x), frames_per_second)
     if look.masks:
         track.masks(look.masks)
-        track.edge_points(look.points)
+        track.points(entities.EDGE_POINTS, look.points, palette.EDGE)
     track.bars(entities.HISTOGRAM, look.z, palette.TRUE)
     track.bars(entities.ACTIVATIONS, look.activations, palette.ESTIMATED)
     return track

@@ -11,7 +11,11 @@ _COLUMNS = {
     "mean_joint_distance": ("joints", "{:.2f}"),
     "heading_mean_deg": ("heading, °", "{:.1f}"),
     "mpjpe_mm": ("joints, mm", "{:.0f}"),
+    "error": ("error", "{:.2f}"),
+    "mean_pose_error": ("mean pose", "{:.2f}"),
     "kept": ("kept", "{:.0%}"),
+    "functions_kept": ("functions kept", "{:.0f}"),
+    "points_share": ("points", "{:.0%}"),
 }
 
 

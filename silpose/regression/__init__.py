@@ -10,6 +10,7 @@
 """
 
 from silpose.regression.basis import Basis
+from silpose.regression.follow import Steps, follow_bridges
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
 from silpose.regression.rvm import RelevanceVectorRegressor
@@ -39,7 +40,9 @@ __all__ = [
     "RidgeRegressor",
     "RidgeSettings",
     "RvmSettings",
+    "Steps",
     "SupportVectorRegressor",
     "SvmSettings",
     "check_methods",
+    "follow_bridges",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -46,7 +47,14 @@ class Bridges:
         return cls(np.arange(size), system.solve(START_DAMPING), np.full(size, START_DAMPING))
 
 
-def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol: float) -> Bridges:
+def cross(
+    system: NormalEquations,
+    start: Bridges,
+    nu: float,
+    max_iter: int,
+    tol: float,
+    watch: Callable[[Indices, Array], None] = lambda kept, norms: None,
+) -> Bridges:
     """Minimise ‖F A - Y‖² + ν Σ_k log ‖a_k‖ from a start: steps 2 to 4 of Fig. 4.
 
     The bridge ν/2 (‖a_k‖ / s_k)² touches the penalty at s_k = ‖a_k‖ from above, so each
@@ -62,6 +70,8 @@ def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol
     max_iter : int
     tol : float
         Converged once an iteration changes the coefficients by less than this share.
+    watch : callable, optional
+        Called after every iteration with the columns kept and their norms.
 
     Returns
     -------
@@ -89,6 +99,7 @@ def cross(system: NormalEquations, start: Bridges, nu: float, max_iter: int, tol
         error = system.power.sum() - np.sum(a * target) - np.sum(damping[:, None] * a**2)
         with np.errstate(divide="ignore"):
             history.append((len(kept), float(error + nu * np.log(scale).sum())))
+        watch(kept, scale)
         change = np.linalg.norm(a - before) / np.linalg.norm(before)
         if change < tol:
             break

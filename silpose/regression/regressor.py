@@ -49,7 +49,9 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
     relevance_ : ndarray of int, shape (k,)
         Which of all basis functions they are; kernels first, in the order of training rows.
     kept_ : float
-        Their share of all basis functions.
+        Their share of all basis functions; of an SVM, of all examples.
+    kept_per_output_ : float
+        Share that an output has, on average.
     coef_ : ndarray, shape (k, m)
     intercept_ : ndarray, shape (m,)
     """
@@ -95,6 +97,7 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.n_features_in_ = basis.n_features_in_
         self.relevance_ = kept
         self.kept_ = len(kept) / basis.size_
+        self.kept_per_output_ = np.count_nonzero(self.coef_) / self.coef_.shape[1] / basis.size_
 
     @overload
     def predict(self, X: ArrayLike, return_std: Literal[False] = False) -> Array: ...
@@ -131,7 +134,8 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def state(self) -> dict[str, Any]:
         """Give what is needed to predict, as arrays and numbers."""
         check_is_fitted(self)
-        own = {name: getattr(self, name) for name in ("coef_", "intercept_", "kept_", "relevance_")}
+        names = ("coef_", "intercept_", "kept_", "kept_per_output_", "relevance_")
+        own = {name: getattr(self, name) for name in names}
         return own | {f"basis.{name}": value for name, value in self.basis_.state().items()}
 
     @classmethod
@@ -141,6 +145,7 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         for name in ("coef_", "intercept_", "relevance_"):
             setattr(regressor, name, np.asarray(state[name]))
         regressor.kept_ = float(state["kept_"])
+        regressor.kept_per_output_ = float(state["kept_per_output_"])
         basis = {n.removeprefix("basis."): v for n, v in state.items() if n.startswith("basis.")}
         regressor.basis_ = Basis.from_state(basis)
         regressor.n_features_in_ = regressor.basis_.n_features_in_

@@ -78,6 +78,12 @@ class RelevanceVectorRegressor(Regressor):
         if self.keep_at_most is None:
             fit = self._columns if self.prior == "column" else self._components
             self.take(basis, system, self.nu, fit(system))
+            if not len(self.relevance_):
+                warnings.warn(
+                    f"nu={self.nu:.3g} removes all basis functions: the mean is predicted",
+                    ConvergenceWarning,
+                    stacklevel=3,
+                )
             return
         if not 0 < self.keep_at_most <= 1:
             raise InputError(f"keep_at_most is a share up to 1, not {self.keep_at_most}")
@@ -109,12 +115,6 @@ class RelevanceVectorRegressor(Regressor):
 
     def take(self, basis: Basis, system: NormalEquations, nu: float, end: Bridges) -> None:
         """Become the regressor at the end of a path."""
-        if not len(end.kept):
-            warnings.warn(
-                f"nu={nu:.3g} removes all basis functions: the mean is predicted",
-                ConvergenceWarning,
-                stacklevel=3,
-            )
         self.nu_ = nu
         self.history_ = np.array(end.history, dtype=float).reshape(-1, 2)
         self.n_iter_ = max(1, len(end.history))

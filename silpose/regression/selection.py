@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from silpose.errors import InputError
 from silpose.progress import bar
@@ -72,7 +72,12 @@ class Candidates:
     svm: SvmSettings = field(default_factory=SvmSettings)
 
     def choose(
-        self, methods: Sequence[str], train: Examples, validation: Examples, error: Error
+        self,
+        methods: Sequence[str],
+        train: Examples,
+        validation: Examples,
+        error: Error,
+        units: ArrayLike = 1.0,
     ) -> Chosen:
         """Fit every method to all training sequences, with the settings best on validation.
 
@@ -86,6 +91,8 @@ class Candidates:
             over frames.
         error : callable
             Of true and estimated poses, as a mean over frames.
+        units : array-like, shape (D,)
+            Of the outputs, which the SVM's tube is a multiple of.
         """
         whole = _Problem(self.basis, *_joined(train))
         folds = [_Fold(whole, *_joined(validation))] if validation else self._folds(train)
@@ -101,7 +108,7 @@ class Candidates:
             if "rvm" in methods:
                 chosen.regressors["rvm"] = self._rvm(folds, whole, width, error, chosen, step)
             if "svm" in methods:
-                chosen.regressors["svm"] = self._svm(folds, whole, width, error, chosen)
+                chosen.regressors["svm"] = self._svm(folds, whole, width, error, units, chosen)
             for method in methods:
                 if (wanted := share(method)) is not None:
                     chosen.regressors[method] = self._sparse(whole, width, wanted)
@@ -190,10 +197,17 @@ class Candidates:
         return regressor
 
     def _svm(
-        self, folds: list[_Fold], whole: _Problem, width: float, error: Error, chosen: Chosen
+        self,
+        folds: list[_Fold],
+        whole: _Problem,
+        width: float,
+        error: Error,
+        units: ArrayLike,
+        chosen: Chosen,
     ) -> Regressor:
         penalties = numbers(self.svm.penalty, "svm.penalty")
-        machines = {p: SupportVectorRegressor(None, self.svm.tube, p, n_jobs=-1) for p in penalties}
+        tube = self.svm.tube * np.asarray(units)
+        machines = {p: SupportVectorRegressor(None, tube, p, n_jobs=-1) for p in penalties}
         if len(penalties) == 1:  # nothing to choose, and the slowest to fit
             best = penalties[0]
         else:

@@ -65,7 +65,7 @@ class RvmSettings:
 
 @dataclass(frozen=True)
 class SvmSettings:
-    """The half width of the tube (in the outputs' units: degrees) and the C's to choose from."""
+    """The half width of the tube, in the outputs' units, and the C's to choose from."""
 
     tube: float = 1.0
     penalty: float | list[float] = 3.0

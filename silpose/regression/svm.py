@@ -72,12 +72,13 @@ class SupportVectorRegressor(Regressor):
             self.intercept_[j] += offset * scale[j]
         support = np.flatnonzero(dual.any(axis=1))
         if basis.kernel:
-            self._keep_basis(basis, support)
             self.coef_ = dual[support]
+            self._keep_basis(basis, support)
         else:
-            self._keep_basis(basis, np.arange(basis.size_))
             self.coef_ = f.T @ dual
+            self._keep_basis(basis, np.arange(basis.size_))
         self.kept_ = len(support) / len(rows)
+        self.kept_per_output_ = np.count_nonzero(dual) / dual.size
 
 
 def _train(gram: Array, y: Array, tube: float, penalty: float) -> tuple[Array, float]:
