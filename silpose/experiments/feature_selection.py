@@ -12,19 +12,23 @@ from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare
 from silpose.recording import record_features, texts
+from silpose.regression import check_methods
 from silpose.run import Run
 
 
-def feature_selection(rooms: Rooms, run: Run, samples: int) -> None:
+def feature_selection(rooms: Rooms, run: Run, method: str, samples: int) -> None:
     """Regress each body part by a linear RVM, and mark the points whose bins it retains.
 
     Parameters
     ----------
     rooms : Rooms
     run : Run
+    method : str
+        How sparse: ``rvm``, or ``rvm_N`` for N of 100 bins.
     samples : int
         Silhouettes in the figure.
     """
+    check_methods([method])
     if rooms.candidates.basis.kernel is not None:
         raise InputError("bins can be retained on a linear basis only: add regression=linear")
     if samples < 1:
@@ -36,8 +40,8 @@ def feature_selection(rooms: Rooms, run: Run, samples: int) -> None:
     bins: dict[str, NDArray[np.intp]] = {}
     with run.stage("regression"):
         for part in described.data.space.parts:
-            chosen = described.learn(rooms.candidates, ["rvm"], part)
-            bins[part] = chosen.regressors["rvm"].relevance_
+            chosen = described.learn(rooms.candidates, [method], part)
+            bins[part] = chosen.regressors[method].relevance_
     seen = described.descriptor.describe(take.masks)
     marked = {
         part: [np.isin(description.nearest, own) for description in seen]

@@ -138,10 +138,15 @@ def _figure(path: Path, rows: Rows, metric: str) -> None:
         bars.bar_label(drawn, fmt="%.1f", fontsize=6)
     bars.set_xticks(range(len(groups)), [str(g).replace("_", " ") for g in groups], fontsize=8)
     bars.set_ylabel(metric.replace("_", " "))
-    bars.legend(fontsize=7)
+    bars.set_ylim(0, 1.25 * max(float(str(r["error"])) for r in by_part))
+    bars.legend(fontsize=7, ncols=len(kinds) // 2 or 1, loc="upper center")
     for kernel in dict.fromkeys(r["basis"] for r in rows if "width" in r):
         own = [r for r in rows if r["basis"] == kernel and "width" in r]
-        lines.semilogx([r["width"] for r in own], [r["error"] for r in own], "o-", label=kernel)
+        lines.plot([r["width"] for r in own], [r["error"] for r in own], "o-", label=kernel)
+    widths = sorted({float(str(r["width"])) for r in rows if "width" in r})
+    lines.set_xscale("log")
+    lines.set_xticks(widths, [f"{width:g}" for width in widths])
+    lines.minorticks_off()
     lines.set(xlabel="kernel width factor", ylim=(0, None), title="kernel ridge regression")
     lines.legend(fontsize=8)
     figure.savefig(path, dpi=120, format="png")

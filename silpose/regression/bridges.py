@@ -93,6 +93,7 @@ def cross(
         bridged = gram * scale
         bridged *= scale[:, None]
         before, a = a, scale[:, None] * solve_damped(bridged, scale[:, None] * target, nu / 2)
+        del bridged  # as large as the Gram matrix, of which the next step makes copies
         damping = nu / (2 * np.maximum(scale, _TINY) ** 2)
         scale = np.linalg.norm(a, axis=1)
         # ‖F A - Y‖², where FᵀF A is known from the equations just solved.
