@@ -63,7 +63,14 @@ def single_image_figure(
     below.plot(space.heading_norm(estimated), color=ESTIMATED, lw=1)
     below.fill_between(range(len(off)), 0, 1.3, where=off > 20, color=QUIET, alpha=0.35, lw=0)
     below.set(ylim=(0, 1.3), xlim=(0, len(off) - 1), xlabel="frame", ylabel="heading norm")
-    below.set_title("grey: heading off by more than 20°", fontsize=8, loc="right")
+    varies = off.std() > 0 and space.heading_norm(estimated).std() > 0
+    r = np.corrcoef(space.heading_norm(estimated), off)[0, 1] if varies else np.nan
+    below.set_title(
+        f"grey: heading off by more than 20° ({np.mean(off > 20):.0%}); "
+        f"correlation of norm and error {r:.2f}",
+        fontsize=8,
+        loc="right",
+    )
     _bars(bars.subplots(), errors, method, space.metrics[0])
     figure.savefig(path, dpi=120, format="png")
 

@@ -48,7 +48,7 @@ def single_image(rooms: Rooms, run: Run, methods: Sequence[str], show: str) -> N
         keys = key_angles(described.data.space, true, estimates[show])
     with run.stage("recording"):
         model = described.model(chosen.regressors[show])
-        _write(rooms, run, described, model, estimates, metrics, show)
+        _write(rooms, run, described, model, estimates, metrics, keys, show)
     run.write_settings()
     run.write_results([*chosen.rows, *tidy(metrics), *({"method": show, **row} for row in keys)])
     run.write_metrics(described.data.name, rooms.seed, metrics)
@@ -61,6 +61,7 @@ def _write(
     model: PoseModel,
     estimates: dict[str, Array],
     metrics: dict[str, dict[str, float]],
+    keys: list[dict[str, object]],
     show: str,
 ) -> None:
     data, take = described.data, described.data.test[0]  # the first test sequence is looked at
@@ -77,7 +78,14 @@ def _write(
             look,
             Truth.of(take, rooms.camera, errors, data.space),
             [show, "nearest", "mean_pose"],
-            texts(f"test sequence {take.name} by {take.performer}", run.settings, metrics),
+            texts(
+                f"test sequence {take.name} by {take.performer}; {show}: "
+                + ", ".join(
+                    f"{k['metric']} {k['value']:.1f} of {k['range_deg']:.0f}" for k in keys
+                ),
+                run.settings,
+                metrics,
+            ),
             Reasons.of(model.regressor, look, data.train, rooms.camera, data.space),
         )
     with run.writing("single_image.png") as path:

@@ -1,5 +1,6 @@
 import os
 import random
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -9,40 +10,74 @@ import numpy as np
 import pytest
 from rerun.chunk import RrdReader
 
-from silpose.recording import entities
+from silpose.recording import (
+    entities,
+    record_bridges,
+    record_features,
+    record_study,
+    texts,
+)
+
+TEXTS = texts("a sequence", "seed: 0\n", {"rvm": {"error": 1.0}})
+PER_SOMETHING = (entities.ERROR, entities.FEATURES)  # one entity below each per method, per part
+ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {entities.REASONS}
 
 
 @pytest.fixture(scope="module")
-def chunks(finished):
-    return list(RrdReader(finished.recording).stream())
+def recordings(finished, sequence, tmp_path_factory):
+    """One file of every kind of recording."""
+    folder = tmp_path_factory.mktemp("kinds")
+    paths = [folder / f"{kind}.rrd" for kind in ("study", "bridges", "features")]
+    figure = folder / "figure.png"
+    cv2.imwrite(str(figure), np.random.default_rng(0).integers(0, 255, (40, 60, 3)))
+    errors = {"rvm": np.arange(5.0), "mean pose": np.arange(5.0)}
+    record_study(paths[0], "study", figure, errors, "errors", 15.0, TEXTS)
+    norms = np.array([[1.0, 2.0, 3.0], [0.0, 2.0, 3.0]])
+    record_bridges(paths[1], "bridges", figure, norms, np.array([9.0, 8.0]), TEXTS)
+    points = [np.argwhere(mask)[:9, ::-1].astype(np.int32) for mask in sequence.masks]
+    marked = {part: [np.arange(9) % 2 > k for _ in points] for k, part in enumerate(("arm", "leg"))}
+    record_features(paths[2], "features", sequence.masks, points, marked, 15.0, TEXTS)
+    return [finished.recording, *paths]
 
 
-def entity_paths():
-    return {v for k, v in vars(entities).items() if k.isupper() and k not in ("ERROR", "REASONS")}
+def entities_of(recording):
+    """Give the entities of a recording, those that stand for many by what is above them."""
+    found = {c.entity_path for c in RrdReader(recording).stream()}
+    found = {
+        path for path in found if not path.startswith("/__") and path not in ("/", "/run_info")
+    }
+    return {
+        next((above for above in PER_SOMETHING if path.startswith(f"{above}/")), path)
+        for path in found
+    }
 
 
-def test_verifies(finished):
+def test_each_verifies(recordings):
     rerun = Path(sys.executable).with_name("rerun")
-    shown = subprocess.run(
-        [rerun, "rrd", "verify", finished.recording], capture_output=True, text=True
-    )
-    assert shown.returncode == 0, shown.stderr
+    for recording in recordings:
+        shown = subprocess.run([rerun, "rrd", "verify", recording], capture_output=True, text=True)
+        assert shown.returncode == 0, shown.stderr
 
 
-def test_holds_every_entity_and_no_other(chunks, finished):
-    found = {c.entity_path for c in chunks if not c.entity_path.startswith(("/__", "/run_"))}
-    errors = {f"{entities.ERROR}/{method}" for method in finished.metrics}
-    assert entity_paths() | errors <= found
+def test_together_they_hold_every_entity_and_no_other(recordings):
+    assert set().union(*map(entities_of, recordings)) == ENTITIES
 
 
-def test_timelines_are_frame_and_time_and_no_clock(chunks):
-    assert {name for chunk in chunks for name in chunk.timeline_names} == {"frame", "time"}
+def test_a_run_is_measured_by_every_method(finished):
+    found = {c.entity_path for c in RrdReader(finished.recording).stream()}
+    assert {f"{entities.ERROR}/{method}" for method in finished.metrics} <= found
+
+
+def test_timelines_are_frame_and_time_and_no_clock(recordings):
+    for recording in recordings:
+        chunks = RrdReader(recording).stream()
+        assert {name for c in chunks for name in c.timeline_names} == {"frame", "time"}
 
 
 def test_the_table_of_entities_is_true():
     page = (Path(__file__).parents[2] / "recordings" / "README.md").read_text()
-    for path in entity_paths():
-        assert f"`{path}`" in page
+    named = {path.split("/<")[0] for path in re.findall(r"`(/[^`]+)`", page)}
+    assert named == ENTITIES
 
 
 def vulkan():
@@ -51,19 +86,20 @@ def vulkan():
 
 
 @pytest.mark.skipif(not vulkan() and not os.environ.get("CI"), reason="no Vulkan driver")
-def test_opens_in_the_viewer_without_an_error(finished, tmp_path, monkeypatch):
+def test_each_opens_in_the_viewer_without_an_error(recordings, tmp_path, monkeypatch):
     from rerun.experimental import ViewerClient
 
     monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
-    with ViewerClient.spawn(headless=True, port=random.randint(20000, 30000)) as viewer:
-        viewer.open(str(finished.recording))
-        viewer.set_time("frame", sequence=20, play_state="paused")
-        viewer.take_screenshot()  # the first one waits until everything is loaded
-        picture = viewer.take_screenshot(max_size=1600)
-        views = viewer.get_state().views
-    assert len(views) >= 8
-    reports = {view.name: [r.summary for r in view.reports] for view in views if view.reports}
-    assert not reports
-    seen = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR)
-    assert seen.std() > 10  # something is painted
+    for recording in recordings:
+        with ViewerClient.spawn(headless=True, port=random.randint(20000, 30000)) as viewer:
+            viewer.open(str(recording))
+            viewer.set_time("frame", sequence=1, play_state="paused")
+            viewer.take_screenshot()  # the first one waits until everything is loaded
+            picture = viewer.take_screenshot(max_size=1600)
+            views = viewer.get_state().views
+        assert len(views) >= 4
+        reports = {view.name: [r.summary for r in view.reports] for view in views if view.reports}
+        assert not reports
+        seen = cv2.imdecode(np.frombuffer(picture, np.uint8), cv2.IMREAD_COLOR)
+        assert seen.std() > 10  # something is painted
