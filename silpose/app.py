@@ -15,7 +15,7 @@ from omegaconf import DictConfig, OmegaConf
 from silpose.config import build, check_overrides, config_folder, explain, furnish
 from silpose.errors import InputError
 
-_HOUSE = ("motion", "silhouette", "dataset", "descriptor", "regression", "recording")
+_HOUSE = ("motion", "silhouette", "dataset", "descriptor", "regression", "tracking", "recording")
 
 
 def main() -> None:

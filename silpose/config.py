@@ -190,6 +190,13 @@ def furnish(settings: DictConfig) -> Rooms:
         SvmSettings,
     )
     from silpose.silhouette import Body, Camera
+    from silpose.tracking import (
+        DynamicsSettings,
+        JointSettings,
+        RivalSettings,
+        TrackerSettings,
+        TrackingSettings,
+    )
 
     plain = OmegaConf.to_container(settings, resolve=True)
     assert isinstance(plain, dict)
@@ -201,6 +208,12 @@ def furnish(settings: DictConfig) -> Rooms:
         "ridge": RidgeSettings,
         "rvm": RvmSettings,
         "svm": SvmSettings,
+    }
+    tracking = {
+        "tracker": TrackerSettings,
+        "dynamics": DynamicsSettings,
+        "joint": JointSettings,
+        "rivals": RivalSettings,
     }
     sources = {"walker": WalkerTakes, "bvh": BvhFolder}
     rooms_camera = build(Camera, camera, "silhouette.camera")
@@ -224,6 +237,9 @@ def furnish(settings: DictConfig) -> Rooms:
         ),
         candidates=Candidates(
             **{n: build(kind, regression[n], f"regression.{n}") for n, kind in parts.items()}
+        ),
+        tracking=TrackingSettings(
+            **{n: build(k, plain["tracking"][n], f"tracking.{n}") for n, k in tracking.items()}
         ),
         seed=seed,
     )

@@ -1,10 +1,11 @@
-"""`PoseModel`: a fitted descriptor and regressor, from masks to poses, saved to one file."""
+"""`PoseModel`: fitted descriptor, regressor and tracker, from masks to poses, saved to one file."""
 
 from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -18,6 +19,7 @@ from silpose.errors import InputError
 from silpose.pose import SPACES, PoseSpace
 from silpose.regression import REGRESSORS, Regressor
 from silpose.silhouette import read_masks
+from silpose.tracking import Track, Tracker
 
 Array = NDArray[np.float64]
 Masks = NDArray[Any] | Sequence[ArrayLike]
@@ -96,12 +98,15 @@ class PoseModel:
     space : PoseSpace
     frames_per_second : float
         Of the motion that it was trained on.
+    tracker : Tracker or None
+        None for a model that sees each image on its own.
     """
 
     descriptor: ShapeContextHistogram | None
     regressor: Regressor
     space: PoseSpace
     frames_per_second: float
+    tracker: Tracker | None = None
 
     def fit(self, masks: Masks, x: ArrayLike) -> PoseModel:
         """Learn the codebook and the regression.
@@ -154,6 +159,40 @@ class PoseModel:
         """Estimate poses from descriptors ``z (F, d)``, without masks."""
         return Look([], [], z, self.regressor.activations(z), self.regressor.predict(z))
 
+    def track(
+        self, masks: str | Path | Masks, lag: int = 0, frames_per_second: float | None = None
+    ) -> Track:
+        """Track a person through masks; a blank one is a frame without anything to see.
+
+        Parameters
+        ----------
+        masks
+            As for `predict`.
+        lag : int
+            How many later frames each estimate may wait for.
+        frames_per_second : float, optional
+            Of the masks, if known: refused if the tracker was trained at another rate.
+        """
+        tracker = self._tracker()
+        z = self.look(masks, blank="nan").z
+        return tracker.track(z, lag=lag, frames_per_second=frames_per_second)
+
+    def stream(self) -> Callable[[ArrayLike], tuple[Array, str]]:
+        """Start tracking live: a function from each next mask to its pose (D,) and state."""
+        tracker, descriptor = copy(self._tracker()).start(), self._descriptor()
+        blank = np.full(len(descriptor.codebook_), np.nan)
+
+        def step(mask: ArrayLike) -> tuple[Array, str]:
+            seen = np.any(mask)
+            return tracker.step(descriptor.transform([mask])[0] if seen else blank)
+
+        return step
+
+    def _tracker(self) -> Tracker:
+        if self.tracker is None:
+            raise InputError("this model has no tracker: train one with experiment=tracking")
+        return self.tracker
+
     def _descriptor(self) -> ShapeContextHistogram:
         if self.descriptor is None:
             raise InputError("this model was trained on descriptors only: it cannot look at masks")
@@ -169,7 +208,7 @@ class PoseModel:
             "frames_per_second": self.frames_per_second,
         }
         arrays = {"header": np.array(json.dumps(header))}
-        for part in ("descriptor", "regressor"):
+        for part in ("descriptor", "regressor", "tracker"):
             state = {} if getattr(self, part) is None else getattr(self, part).state()
             arrays |= {f"{part}.{name}": np.asarray(value) for name, value in state.items()}
         with Path(path).open("wb") as file:  # savez would append .npz to the name
@@ -194,7 +233,7 @@ class PoseModel:
                 f"'{path}' has format {header['format']} of silpose {header['silpose']}; "
                 f"this version reads format {FORMAT}: train the model anew"
             )
-        states: dict[str, dict[str, Any]] = {"descriptor": {}, "regressor": {}}
+        states: dict[str, dict[str, Any]] = {"descriptor": {}, "regressor": {}, "tracker": {}}
         for name, value in arrays.items():
             part, _, entry = name.partition(".")
             states[part][entry] = value
@@ -205,6 +244,7 @@ class PoseModel:
             REGRESSORS[header["regressor"]].from_state(states["regressor"]),
             SPACES[header["space"]],
             header["frames_per_second"],
+            Tracker.from_state(states["tracker"]) if states["tracker"] else None,
         )
 
 

@@ -3,6 +3,7 @@
 from silpose.evaluation.baselines import BASELINES, baselines
 from silpose.evaluation.heading import heading_doubt, key_angles
 from silpose.evaluation.metrics import heading_errors, joint_distances, measure
+from silpose.evaluation.swing import thigh_swing
 
 __all__ = [
     "BASELINES",
@@ -12,4 +13,5 @@ __all__ = [
     "joint_distances",
     "key_angles",
     "measure",
+    "thigh_swing",
 ]

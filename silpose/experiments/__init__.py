@@ -9,10 +9,19 @@ from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
 from silpose.experiments.rooms import OwnMasks, Rooms
 from silpose.experiments.single_image import single_image
+from silpose.experiments.tracking import tracking
 
 EXPERIMENTS: dict[str, Callable[..., None]] = {
     experiment.__name__: experiment
-    for experiment in (bridges, feature_selection, parts, predict, regressors, single_image)
+    for experiment in (
+        bridges,
+        feature_selection,
+        parts,
+        predict,
+        regressors,
+        single_image,
+        tracking,
+    )
 }
 
 __all__ = ["EXPERIMENTS", "OwnMasks", "Rooms"]

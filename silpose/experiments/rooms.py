@@ -14,6 +14,7 @@ from silpose.descriptor import ShapeContextHistogram
 from silpose.progress import bar
 from silpose.regression import Candidates
 from silpose.silhouette import Camera
+from silpose.tracking import TrackingSettings
 
 Array = NDArray[np.float64]
 
@@ -50,6 +51,8 @@ class Rooms:
         Not fitted yet.
     candidates : Candidates
         The regressors' settings, or what to choose them from.
+    tracking : TrackingSettings
+        Likewise of trackers and their rivals.
     seed : int
     """
 
@@ -58,6 +61,7 @@ class Rooms:
     own_masks: OwnMasks
     descriptor: ShapeContextHistogram
     candidates: Candidates
+    tracking: TrackingSettings
     seed: int
 
 

@@ -5,6 +5,7 @@ from silpose.recording.reasons import Reasons
 from silpose.recording.record import Truth, record_prediction, record_single_image
 from silpose.recording.study import record_bridges, record_features, record_study
 from silpose.recording.texts import texts
+from silpose.recording.tracking import record_tracking
 
 __all__ = [
     "Reasons",
@@ -14,6 +15,7 @@ __all__ = [
     "record_prediction",
     "record_single_image",
     "record_study",
+    "record_tracking",
     "show",
     "texts",
 ]

@@ -9,6 +9,8 @@ import rerun.blueprint as rrb
 
 from silpose.recording import entities
 
+_GROUND = rrb.LineGrid3D(spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80])
+
 
 def single_image(
     shown: Sequence[str],
@@ -52,6 +54,43 @@ def predict(frames_per_second: float) -> rrb.Blueprint:
         row_shares=[3.4, 1, 0.7],
     )
     return _layout([_seen(), answered, _texts()], [1, 1.9, 0.8], frames_per_second)
+
+
+def tracking(
+    methods: Sequence[str], frames_per_second: float, metric: str, masks: bool
+) -> rrb.Blueprint:
+    """Lay out several methods' estimates side by side, and a tracker's state below."""
+    width = 0.75 * len(methods) + 0.3
+    headings = [entities.TRUE_HEADING, *(f"{entities.TRACKS}/{m}/heading" for m in methods[-1:])]
+    answered = rrb.Vertical(
+        rrb.Spatial3DView(
+            origin="/",
+            contents=[
+                entities.TRUE_SKELETON,
+                entities.TRACK_NAMES,
+                *(f"{entities.TRACKS}/{method}/skeleton" for method in methods),
+            ],
+            name="true (blue) and estimated poses",
+            background=[22, 24, 28],
+            line_grid=_GROUND,
+            eye_controls=rrb.EyeControls3D(
+                kind=rrb.Eye3DKind.Orbital,
+                position=[0.0, 1.2, width],
+                look_target=[0.0, 0.95, 0.0],
+                eye_up=[0, 1, 0],
+            ),
+        ),
+        rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
+        _series("heading, degrees", headings),
+        _series(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in ("ridge", "tracker")]),
+        row_shares=[3.2, 0.5, 1, 1],
+    )
+    belief = _bars(entities.BELIEF, "tracking: belief over key poses")
+    mask = rrb.Spatial2DView(
+        origin=entities.CAMERA, contents=[entities.MASK], name="silhouette: mask"
+    )
+    seen = rrb.Vertical(mask, belief, row_shares=[1.5, 1]) if masks else rrb.Vertical(belief)
+    return _layout([seen, answered, _texts()], [1, 2.6, 1.1], frames_per_second)
 
 
 def study(title: str, frames_per_second: float) -> rrb.Blueprint:
@@ -130,9 +169,7 @@ def _body_view(name: str) -> rrb.Spatial3DView:
         contents=[entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON],
         name=name,
         background=[22, 24, 28],
-        line_grid=rrb.LineGrid3D(
-            spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80]
-        ),
+        line_grid=_GROUND,
         eye_controls=rrb.EyeControls3D(
             kind=rrb.Eye3DKind.Orbital,
             position=[0.95, 1.15, 2.0],

@@ -26,6 +26,11 @@ COLUMNS_LEFT = "/regression/bridges/columns_left"
 OBJECTIVE = "/regression/bridges/objective"
 FEATURES = "/silhouette/camera/retained"  # one entity below it per body part
 
+TRACKS = "/tracking/tracks"  # below it a skeleton and a heading per method
+TRACK_NAMES = "/tracking/names"
+BELIEF = "/tracking/belief"
+STATE = "/tracking/state"
+
 ERROR = "/evaluation/error"  # one entity below it per method
 
 FIGURE = "/run/figure"

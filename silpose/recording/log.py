@@ -153,6 +153,24 @@ class Track:
         )
         self.columns(entity, rr.Scalars.columns(scalars=values), None)
 
+    def states(
+        self, entity: str, states: Sequence[str], colours: dict[str, palette.Colour]
+    ) -> None:
+        """Log a state per frame, where it changes, drawn as a lane."""
+        self._recording.log(
+            entity,
+            rr.StateConfiguration(
+                values=list(colours), labels=list(colours), colors=list(colours.values())
+            ),
+            static=True,
+        )
+        for frame, state in enumerate(states):
+            if frame == 0 or state != states[frame - 1]:
+                self._recording.set_time("frame", sequence=frame)
+                self._recording.set_time("time", duration=self._times[frame])
+                self._recording.log(entity, rr.StateChange(state=state))
+        self._recording.reset_time()
+
     def columns(
         self, entity: str, columns: rr.ComponentColumnList, lengths: Sequence[int] | None
     ) -> None:

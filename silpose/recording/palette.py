@@ -17,6 +17,17 @@ METHODS: dict[str, Colour] = {
     "knn": (70, 150, 90),
     "oracle": (90, 110, 200),
     "ridge": (200, 120, 220),
+    "dynamics": (120, 200, 120),
+    "joint": (225, 205, 90),
+    "tracker": ESTIMATED,
+    "tracker_lag": (255, 200, 150),
+}
+
+STATES: dict[str, Colour] = {
+    "starting": (90, 110, 200),
+    "tracking": (70, 150, 90),
+    "lost": (220, 70, 60),
+    "recovered": (225, 205, 90),
 }
 
 

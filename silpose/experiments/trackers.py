@@ -1,0 +1,80 @@
+"""What the tracking experiments begin with: single-image ridge, dynamics, a tracker."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose.errors import InputError
+from silpose.experiments.rooms import Rooms
+from silpose.experiments.training import Described, prepare
+from silpose.regression import RidgeRegressor
+from silpose.run import Run
+from silpose.tracking import (
+    PointTracker,
+    SecondOrderDynamics,
+    Selection,
+    Tracker,
+    TrackingSettings,
+    choose_dynamics,
+    choose_joint,
+    choose_tracker,
+)
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Learnt:
+    """A described dataset and what is learnt from it, when it is first asked for.
+
+    Attributes
+    ----------
+    described : Described
+    ridge : RidgeRegressor
+        The single-image regressor.
+    selection : Selection
+    settings : TrackingSettings
+    """
+
+    described: Described
+    ridge: RidgeRegressor
+    selection: Selection
+    settings: TrackingSettings
+
+    @cached_property
+    def tracker(self) -> Tracker:
+        """The belief tracker."""
+        return choose_tracker(self.selection, self.settings.tracker)
+
+    @cached_property
+    def dynamics(self) -> SecondOrderDynamics:
+        """The dynamics of Eq. 8."""
+        return choose_dynamics(self.selection, self.settings.dynamics)
+
+    @cached_property
+    def joint(self) -> PointTracker:
+        """The paper's tracker."""
+        return choose_joint(self.selection, self.settings.joint, self.dynamics)
+
+    @property
+    def lag(self) -> int:
+        """Frames that may be waited for."""
+        return round(self.settings.tracker.lag * self.selection.frames_per_second)
+
+
+def learn_to_track(rooms: Rooms, run: Run) -> Learnt:
+    """Prepare the data, and choose the single-image regressor."""
+    described = prepare(rooms, run)
+    shortest = min((len(x) for _, x in described.test), default=0)
+    if shortest < 3:
+        raise InputError(f"a test sequence of {shortest} frames is too short to be tracked")
+    with run.stage("regression"):
+        ridge = described.learn(rooms.candidates, ["ridge"]).regressors["ridge"]
+    assert isinstance(ridge, RidgeRegressor)
+    rate = described.data.test[0].frames_per_second
+    selection = Selection(described.train, described.validation, described.data.space, rate)
+    return Learnt(described, ridge, selection, rooms.tracking)

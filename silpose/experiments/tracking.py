@@ -1,0 +1,134 @@
+"""Tracking: dynamics alone, observation alone, both together. Section V of the paper, Figs. 14, 15."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from silpose.evaluation import baselines, measure, thigh_swing
+from silpose.experiments.figures import ESTIMATED, TRUE
+from silpose.experiments.rooms import Rooms
+from silpose.experiments.trackers import Learnt, learn_to_track
+from silpose.experiments.training import tidy
+from silpose.model import PoseModel
+from silpose.pose import PoseSpace
+from silpose.recording import Truth, record_tracking, texts
+from silpose.run import Run
+from silpose.tracking import Track, choose_rivals
+
+Array = NDArray[np.float64]
+
+
+def tracking(rooms: Rooms, run: Run) -> None:
+    """Track a person through unseen sequences, beside everything else that smooths.
+
+    The trackers that carry a single pose are given the first two true ones, as in the paper; the
+    belief trackers start by themselves.
+
+    Parameters
+    ----------
+    rooms : Rooms
+    run : Run
+    """
+    learnt = learn_to_track(rooms, run)
+    described, space = learnt.described, learnt.described.data.space
+    with run.stage("tracking"):
+        estimators = {
+            "ridge": lambda z, _: learnt.ridge.predict(z),
+            **choose_rivals(learnt.selection, rooms.tracking.rivals, learnt.ridge, learnt.dynamics),
+            "dynamics": lambda z, start: learnt.dynamics.run(start, len(z)),
+            "joint": lambda z, start: learnt.joint.track(z, start)[0],
+            "tracker": lambda z, _: learnt.tracker.track(z).x,
+            "tracker_lag": lambda z, _: learnt.tracker.track(z, lag=learnt.lag).x,
+        }
+        tracks = {
+            method: [estimate(z, x[:2]) for z, x in described.test]
+            for method, estimate in estimators.items()
+        }
+    with run.stage("evaluation"):
+        metrics = _measure(described.train, described.test, tracks, space)
+        metrics["joint"]["kept"] = learnt.joint.regressor.kept_
+        metrics["tracker"]["kept"] = metrics["tracker_lag"]["kept"] = learnt.tracker.kept_
+    first = {method: of_sequences[0] for method, of_sequences in tracks.items()}
+    with run.stage("recording"):
+        _write(rooms, run, learnt, first, learnt.tracker.track(described.test[0][0]), metrics)
+    run.write_settings()
+    run.write_results([*learnt.selection.rows, *tidy(metrics)])
+    run.write_metrics(described.data.name, rooms.seed, metrics)
+
+
+def _measure(
+    train: list[tuple[Array, Array]],
+    test: list[tuple[Array, Array]],
+    tracks: Mapping[str, list[Array]],
+    space: PoseSpace,
+) -> dict[str, dict[str, float]]:
+    """Errors over all test sequences, baselines first."""
+    z_train, x_train = (np.concatenate(part) for part in zip(*train, strict=True))
+    z, x = (np.concatenate(part) for part in zip(*test, strict=True))
+    estimates = baselines(space, z_train, x_train, z, x)
+    estimates |= {method: np.concatenate(parts) for method, parts in tracks.items()}
+    return {m: measure(space, x, e, x_train) for m, e in estimates.items()}
+
+
+def _write(
+    rooms: Rooms,
+    run: Run,
+    learnt: Learnt,
+    tracks: Mapping[str, Array],
+    track: Track,
+    metrics: Mapping[str, Mapping[str, float]],
+) -> None:
+    described = learnt.described
+    data, take, space = described.data, described.data.test[0], described.data.space
+    errors = {method: space.distance(take.x, x) for method, x in tracks.items()}
+    model = PoseModel(
+        described.descriptor, learnt.ridge, space, take.frames_per_second, learnt.tracker
+    )
+    with run.writing("model.npz") as path:
+        model.save(path)
+    with run.writing("tracking.png") as path:
+        _figure(path, space, take.x, tracks)
+    with run.writing("run.rrd") as path:
+        record_tracking(
+            path,
+            f"{run.experiment}/{run.name}",
+            take,
+            Truth.of(take, rooms.camera, errors, space),
+            {method: tracks[method] for method in ("ridge", "dynamics", "joint", "tracker")},
+            track,
+            space,
+            texts(f"test sequence {take.name} by {take.performer}", run.settings, metrics),
+        )
+
+
+def _figure(path: Path, space: PoseSpace, true: Array, tracks: Mapping[str, Array]) -> None:
+    """Left thigh and heading over time: columns as in Fig. 14, and one more for our tracker."""
+    shown = {
+        "dynamics": "dynamics alone",
+        "ridge": "observation alone",
+        "joint": "joint regression of one pose",
+        "tracker": "joint regression of a belief",
+        "tracker_lag": "the same, half a second later",
+    }
+    figure = Figure(figsize=(17, 5.5), layout="constrained")
+    rows = figure.subplots(2, len(shown), sharex=True, sharey="row")
+    for (swings, headings), (method, title) in zip(rows.T, shown.items(), strict=True):
+        x = tracks[method]
+        swings.plot(thigh_swing(space, true), color=TRUE, lw=2)
+        swings.plot(thigh_swing(space, x), color=ESTIMATED, lw=0.9)
+        swings.set_ylim(-60, 60)
+        swings.set_title(f"{title}: {space.distance(true, x).mean():.2f}", fontsize=10)
+        headings.plot(space.heading(true), ".", color=TRUE, ms=4)
+        headings.plot(space.heading(x), ".", color=ESTIMATED, ms=2)
+        headings.set(ylim=(-185, 185), yticks=(-180, -90, 0, 90, 180), xlabel="frame")
+    rows[0, 0].set_ylabel("left thigh, degrees")
+    rows[1, 0].set_ylabel("heading, degrees")
+    figure.suptitle(
+        f"true (blue) and estimated (orange); {space.metrics[0].replace('_', ' ')}", fontsize=10
+    )
+    figure.savefig(path, dpi=110, format="png")

@@ -1,0 +1,110 @@
+"""Recordings of tracks: estimates side by side, each on the truth, and the tracker's state."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import rerun as rr
+from numpy.typing import NDArray
+
+from silpose.dataset import Sequence as Take
+from silpose.pose import PoseSpace
+from silpose.recording import blueprint, entities, palette
+from silpose.recording.log import Track as Lines
+from silpose.recording.record import Truth
+from silpose.recording.stream import recording_stream
+from silpose.tracking import Track
+
+Array = NDArray[np.float64]
+
+_APART = 1.0  # metres between the places where the estimates stand
+_OVERHEAD = 1.85  # metres
+
+
+def record_tracking(
+    path: Path,
+    name: str,
+    take: Take,
+    truth: Truth,
+    tracks: Mapping[str, Array],
+    track: Track,
+    space: PoseSpace,
+    texts: Mapping[str, str],
+) -> None:
+    """Write how several methods follow one sequence.
+
+    Parameters
+    ----------
+    path : Path
+    name : str
+        Of the run.
+    take : Sequence
+        What was tracked.
+    truth : Truth
+        With the errors of all methods.
+    tracks : mapping of str to ndarray, shape (F, D)
+        Estimates that are drawn, from left to right; the last is the tracker's.
+    track : Track
+        The tracker's states and beliefs.
+    space : PoseSpace
+    texts : mapping of str to str
+        Markdown by entity.
+    """
+    layout = blueprint.tracking(
+        list(tracks), take.frames_per_second, space.metrics[0], take.masks is not None
+    )
+    with recording_stream(path, name, texts, layout) as recording:
+        lines = Lines(recording, len(take), take.frames_per_second)
+        if take.masks is not None:
+            lines.image_plane(take.masks.shape[2], take.masks.shape[1])
+            lines.masks(list(take.masks))
+        place = _APART * (np.arange(len(tracks)) - (len(tracks) - 1) / 2)
+        places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
+        height = truth.root * (0, 1, 0)
+        _bodies(lines, entities.TRUE_SKELETON, [truth.poses] * len(tracks), places, height, space)
+        lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
+        for where, (method, x) in zip(places, tracks.items(), strict=True):
+            colour = palette.METHODS.get(method, palette.ESTIMATED)
+            entity = f"{entities.TRACKS}/{method}"
+            _bodies(lines, f"{entity}/skeleton", [x], [where], height, space, colour)
+            lines.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
+        recording.log(
+            entities.TRACK_NAMES,
+            rr.Points3D(
+                places + (0, _OVERHEAD, 0),
+                labels=list(tracks),
+                radii=0.01,
+                colors=palette.NEUTRAL,
+                show_labels=True,
+            ),
+            static=True,
+        )
+        lines.bars(entities.BELIEF, track.beliefs, palette.ESTIMATED)
+        lines.states(entities.STATE, track.state, palette.STATES)
+        for k, (method, errors) in enumerate(truth.errors.items()):
+            colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
+            lines.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+
+
+def _bodies(
+    lines: Lines,
+    entity: str,
+    poses: list[Array],
+    places: Array | list[Array],
+    height: Array,
+    space: PoseSpace,
+    colour: palette.Colour = palette.TRUE,
+) -> None:
+    """Draw bodies ``poses [(F, D)]`` at places ``(n, 3)`` as one entity."""
+    count = len(space.joint_names)
+    joints = [space.joints(x) + height[:, None] + where for x, where in zip(poses, places)]  # noqa: B905
+    lines.skeleton(
+        entity,
+        np.concatenate(joints, axis=1),
+        [(a + k * count, b + k * count) for k in range(len(joints)) for a, b in space.bones],
+        space.joint_names * len(joints),
+        colour,
+        radius=0.016 if colour == palette.TRUE else 0.011,
+    )

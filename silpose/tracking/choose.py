@@ -1,0 +1,158 @@
+"""Trackers, and the rivals they are measured against, each with the settings best on validation."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from sklearn.base import clone
+
+from silpose.regression import RidgeRegressor
+from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.tracking.point import PointTracker
+from silpose.tracking.rivals import fuse, smooth, viterbi, windowed
+from silpose.tracking.selection import Estimate, Examples, Family, Maker, Selection
+from silpose.tracking.settings import (
+    DynamicsSettings,
+    JointSettings,
+    RivalSettings,
+    TrackerSettings,
+)
+from silpose.tracking.state_sensitive import StateSensitiveRegressor
+from silpose.tracking.tracker import Tracker
+
+Array = NDArray[np.float64]
+
+_FEW = 700  # kernels of the paper's tracker while its widths are being chosen
+
+
+def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
+    """Fit the tracker whose kernel widths are best when it may not wait."""
+
+    def tracker(pose_width: float, descriptor_width: float) -> Tracker:
+        return Tracker(
+            selection.space.name,
+            settings.keep,
+            pose_width,
+            descriptor_width,
+            settings.restart,
+            selection.frames_per_second,
+            settings.random_state,
+        )
+
+    def family(learnt: Examples) -> Maker:
+        keys = tracker(1, 1).key_poses(learnt)  # serve all widths
+        return lambda **widths: lambda z, _: tracker(**widths).take(keys).track(z).x
+
+    grid = {
+        "pose_width": settings.pose_width,
+        "descriptor_width": settings.descriptor_width,
+    }
+    return tracker(**selection.best("tracker", grid, family)).fit(selection.train)
+
+
+def choose_dynamics(selection: Selection, settings: DynamicsSettings) -> SecondOrderDynamics:
+    """Fit the dynamics that best predict a frame from the two before it."""
+    poses = [(x, x) for _, x in selection.train], [(x, x) for _, x in selection.validation]
+    ahead = Selection(*poses, selection.space, selection.frames_per_second, selection.rows)
+
+    def family(learnt: Examples) -> Maker:
+        def estimate(damping: float) -> Estimate:
+            model = SecondOrderDynamics(damping).fit([x for x, _ in learnt])
+            return lambda x, _: np.vstack([x[:2], model.predict(x[1:-1], x[:-2])])[: len(x)]
+
+        return estimate
+
+    best = ahead.best("dynamics", {"damping": settings.damping}, family)
+    return SecondOrderDynamics(**best).fit([x for _, x in selection.train])
+
+
+def choose_joint(
+    selection: Selection, settings: JointSettings, dynamics: SecondOrderDynamics
+) -> PointTracker:
+    """Fit the paper's tracker, its kernel widths the best."""
+
+    def tracker(centres: int, keep: float | None, **widths: float) -> PointTracker:
+        regressor = StateSensitiveRegressor(
+            linear=settings.linear,
+            damping=settings.damping,
+            centres=centres,
+            keep_at_most=keep,
+            random_state=settings.random_state,
+            **widths,
+        )
+        return PointTracker(clone(dynamics), regressor, settings.samples)
+
+    def family(learnt: Examples) -> Maker:
+        def estimate(**widths: float) -> Estimate:
+            fitted = tracker(min(_FEW, settings.centres), None, **widths).fit(learnt)
+            return lambda z, start: fitted.track(z, start)[0]
+
+        return estimate
+
+    grid = {
+        "pose_width": settings.pose_width,
+        "descriptor_width": settings.descriptor_width,
+    }
+    best = selection.best("joint", grid, family)
+    return tracker(settings.centres, settings.keep_at_most, **best).fit(selection.train)
+
+
+def choose_rivals(
+    selection: Selection,
+    settings: RivalSettings,
+    ridge: RidgeRegressor,
+    dynamics: SecondOrderDynamics,
+) -> dict[str, Estimate]:
+    """Give what else makes single-image answers smooth, by method.
+
+    Parameters
+    ----------
+    selection : Selection
+    settings : RivalSettings
+    ridge : RidgeRegressor
+        The single-image regressor, whose settings are chosen already.
+    dynamics : SecondOrderDynamics
+        Likewise.
+    """
+
+    def regressor(learnt: Examples, window: int = 1) -> RidgeRegressor:
+        z = np.concatenate([windowed(z, window) for z, _ in learnt])
+        twin = RidgeRegressor(ridge.basis, ridge.damping)
+        twin.fit(z, np.concatenate([x for _, x in learnt]))
+        return twin
+
+    def smoothed(learnt: Examples) -> Maker:
+        single = regressor(learnt)
+        return lambda smoothing: lambda z, _: smooth(single.predict(z), smoothing)
+
+    def fused(learnt: Examples) -> Maker:
+        single = regressor(learnt)
+        ahead = clone(dynamics).fit([x for _, x in learnt])
+        return lambda weight: lambda z, _: fuse(single.predict(z), ahead, weight)
+
+    def wide(learnt: Examples) -> Maker:
+        def estimate(window: int) -> Estimate:
+            several = regressor(learnt, window)
+            return lambda z, _: several.predict(windowed(z, window))
+
+        return estimate
+
+    def path(learnt: Examples) -> Maker:
+        z_train, x_train = (np.concatenate(part) for part in zip(*learnt, strict=True))
+        return lambda neighbours, weight, smoothing: (
+            lambda z, _: smooth(viterbi(z_train, x_train, z, neighbours, weight), smoothing)
+        )
+
+    smoothing = {"smoothing": settings.smoothing}
+    several = {"neighbours": settings.neighbours, "weight": settings.viterbi_weight}
+    rivals: dict[str, tuple[dict, Family]] = {
+        "smoothed": (smoothing, smoothed),
+        "fused": ({"weight": settings.fusion}, fused),
+        "windowed": ({"window": settings.window}, wide),
+        "nearest_smoothed": ({"neighbours": 1, "weight": 0.0} | smoothing, path),
+        "nearest_viterbi": (several | smoothing, path),
+    }
+    return {
+        method: family(selection.train)(**selection.best(method, grid, family))
+        for method, (grid, family) in rivals.items()
+    }

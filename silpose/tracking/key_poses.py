@@ -1,0 +1,125 @@
+"""Key poses: the few training examples' worth of pose space over which a tracker's belief lies.
+
+Clusters of training poses. Each knows the mean pose and the mean descriptor of its frames, and
+where they went next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+from sklearn.cluster import KMeans
+
+from silpose.pose import PoseSpace
+
+Array = NDArray[np.float64]
+Examples = Sequence[tuple[Array, Array]]
+
+_SHRINKAGE = 1.0  # of the scatter within key poses towards a multiple of the identity
+_SHARED = 1.0  # damping of the regression within key poses, in mean variances of the inputs
+
+
+@dataclass(frozen=True)
+class KeyPoses:
+    """Key poses of some training sequences, before kernel widths are chosen.
+
+    Attributes
+    ----------
+    mean, scale : ndarray, shape (D,)
+        By which poses are standardised. A column's scale is the geometric mean of its standard
+        deviation and of one unit of the reported metric: of the deviation alone, angles that
+        hardly move would weigh as much as a leg's, of the unit alone, the heading nearly all.
+    whitening : ndarray, shape (d, d)
+        Of square roots of descriptors: divides by their scatter within key poses, so that
+        what varies although the pose does not counts less.
+    poses : ndarray, shape (K, D)
+        Standardised.
+    descriptors : ndarray, shape (K, d)
+        Whitened.
+    spread : float
+        Mean squared distance of a frame's whitened descriptor to its key pose's.
+    slope : ndarray, shape (d, D)
+        Regression of pose on descriptor within key poses, shared by all.
+    following : ndarray, shape (n, D)
+        The pose after each training frame, standardised.
+    members : csr_array, shape (K, n)
+        Rows average over the frames of each key pose.
+    """
+
+    mean: Array
+    scale: Array
+    whitening: Array
+    poses: Array
+    descriptors: Array
+    spread: float
+    slope: Array
+    following: Array
+    members: csr_array
+
+    @classmethod
+    def of(cls, sequences: Examples, space: PoseSpace, count: int, seed: int | None) -> KeyPoses:
+        """Cluster the poses of training sequences ``(z, x)`` into at most `count`."""
+        x = np.concatenate([x for _, x in sequences])
+        deviation = np.maximum(x.std(axis=0), 1e-3 * space.units)
+        mean, scale = x.mean(axis=0), np.sqrt(deviation * space.units)
+        takes = [(x - mean) / scale for _, x in sequences]
+        following = np.concatenate([_following(take) for take in takes])
+        poses = np.concatenate(takes)
+        count = min(count, len(np.unique(poses, axis=0)))
+        labels = KMeans(count, n_init=1, random_state=seed).fit(poses).labels_
+        kept, labels = np.unique(labels, return_inverse=True)
+        size = np.bincount(labels)
+        frames = np.arange(len(poses))
+        members = csr_array((1 / size[labels], (labels, frames)), shape=(len(kept), len(poses)))
+        roots = np.sqrt(np.concatenate([z for z, _ in sequences]))
+        whitening = _whitening(roots - (members @ roots)[labels])
+        seen = roots @ whitening
+        centres, descriptors = members @ poses, members @ seen
+        within = seen - descriptors[labels]
+        gram = within.T @ within
+        gram.flat[:: len(gram) + 1] += _SHARED * max(np.trace(gram) / len(gram), 1e-12)
+        slope = np.linalg.solve(gram, within.T @ (poses - centres[labels]))
+        spread = max(float((within**2).sum(axis=1).mean()), 1e-12)
+        return cls(mean, scale, whitening, centres, descriptors, spread, slope, following, members)
+
+    def transitions(self, width: float, restart: float) -> Array:
+        """Probability (K, K) that one key pose follows another, a frame later.
+
+        The pose kernel of Eq. 10 between where a key pose's frames went and every key pose, of
+        standard deviation `width` per column; with probability `restart` it is any.
+        """
+        distances = squared_distances(self.following, self.poses) / self.poses.shape[1]
+        distances -= distances.min(axis=1, keepdims=True)
+        near = np.exp(-distances / (2 * width**2))
+        near /= near.sum(axis=1, keepdims=True)
+        return (1 - restart) * (self.members @ near) + restart / len(self.poses)
+
+    @property
+    def sizes(self) -> Array:
+        """Number of training frames in each key pose, shape (K,)."""
+        return np.diff(self.members.indptr).astype(float)
+
+
+def squared_distances(a: Array, b: Array) -> Array:
+    """Squared Euclidean distances of rows, shape (n, m)."""
+    inner = a @ b.T
+    squares = (a**2).sum(axis=1)[:, None] + (b**2).sum(axis=1)
+    return np.maximum(squares - 2 * inner, 0)
+
+
+def _following(take: Array) -> Array:
+    """Give the pose after each; after the last, what its velocity leads to."""
+    last = 2 * take[-1:] - take[-2:-1] if len(take) > 1 else take[-1:]
+    return np.vstack([take[1:], last])
+
+
+def _whitening(residuals: Array) -> Array:
+    scatter = residuals.T @ residuals / len(residuals)
+    typical = max(np.trace(scatter) / len(scatter), 1e-12)
+    scatter.flat[:: len(scatter) + 1] += _SHRINKAGE * typical
+    values, vectors = np.linalg.eigh(scatter)
+    return vectors / np.sqrt(values)

@@ -1,0 +1,188 @@
+"""State-sensitive regression: pose from a predicted pose and a silhouette, Eqs. 9 and 10."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator
+from sklearn.neighbors import NearestNeighbors
+from sklearn.utils.validation import check_is_fitted
+
+from silpose.errors import InputError
+from silpose.regression.bridges import Bridges
+from silpose.regression.elimination import sparsest_within
+from silpose.regression.normal_equations import NormalEquations
+from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.tracking.key_poses import squared_distances
+
+Array = NDArray[np.float64]
+Examples = Sequence[tuple[Array, Array]]
+
+_NEIGHBOURS = 10  # training poses whose scatter around a state is its local scatter
+_FIRST_NU = 16.0  # of the path to a wanted sparsity
+
+
+class StateSensitiveRegressor(BaseEstimator):
+    """x̂ = C x̌ + Σ_k d_k K_x(x̌, x_k) K_z(z, z_k) (Eqs. 9, 10).
+
+    Parameters
+    ----------
+    pose_width, descriptor_width : float
+        Factors of β_x and β_z, each in units of 1 / (2 tr S), S the scatter matrix of the
+        (standardised) poses or of the square roots of descriptors: the larger, the narrower.
+    linear : float or None
+        C = sI with this s; None for the full matrix C.
+    damping : float
+        λ of the ridge regression.
+    centres : int
+        At most so many training examples, drawn by seed, carry a kernel.
+    keep_at_most : float or None
+        Share of the kernels that an RVM is to keep; None is ridge regression on all.
+    random_state : int or None
+
+    Attributes
+    ----------
+    centres_x_, centres_z_ : ndarray, shapes (k, D) and (k, d)
+        Of the kernels kept: standardised poses, square roots of descriptors.
+    kept_ : float
+        Their share.
+    """
+
+    def __init__(
+        self,
+        pose_width: float = 1.0,
+        descriptor_width: float = 2.0,
+        linear: float | None = None,
+        damping: float = 0.1,
+        centres: int = 2000,
+        keep_at_most: float | None = None,
+        random_state: int | None = 0,
+    ) -> None:
+        self.pose_width = pose_width
+        self.descriptor_width = descriptor_width
+        self.linear = linear
+        self.damping = damping
+        self.centres = centres
+        self.keep_at_most = keep_at_most
+        self.random_state = random_state
+
+    def fit(self, predicted: ArrayLike, z: ArrayLike, x: ArrayLike) -> StateSensitiveRegressor:
+        """Fit C and d_k to predictions, silhouettes and true poses.
+
+        Parameters
+        ----------
+        predicted : array-like, shape (n, D)
+            x̌: see `observed_and_sampled`.
+        z : array-like, shape (n, d)
+        x : array-like, shape (n, D)
+        """
+        for name in ("pose_width", "descriptor_width", "damping", "centres"):
+            if not getattr(self, name) > 0:
+                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
+        poses = np.asarray(x, dtype=float)
+        deviation = poses.std(axis=0)
+        self.mean_ = poses.mean(axis=0)
+        self.scale_ = np.where(deviation > 1e-10 * np.maximum(np.abs(self.mean_), 1), deviation, 1)
+        standard, state = self._standard(poses), self._standard(predicted)
+        roots = np.sqrt(np.asarray(z, dtype=float))
+        random = np.random.default_rng(self.random_state)
+        chosen = random.choice(len(poses), min(self.centres, len(poses)), replace=False)
+        self.centres_x_, self.centres_z_ = standard[chosen], roots[chosen]
+        self.beta_x_ = self.pose_width / max(2 * standard.var(axis=0).sum(), 1e-12)
+        self.beta_z_ = self.descriptor_width / max(2 * roots.var(axis=0).sum(), 1e-12)
+        kernels = self._kernels(state, roots)
+        features = kernels if self.linear is not None else np.hstack([kernels, state])
+        target = standard if self.linear is None else standard - self.linear * state
+        system = NormalEquations.of(features, target)
+        every = np.arange(features.shape[1])
+        kernel, others = np.split(every, [len(chosen)])
+        kept = self._choose(system.restrict(kernel))
+        some = system.restrict(np.concatenate([kept, others]))
+        self.coef_, self.intercept_ = some.unscaled(some.solve(self.damping), slice(None))
+        self.centres_x_, self.centres_z_ = self.centres_x_[kept], self.centres_z_[kept]
+        self.kept_ = len(kept) / len(chosen)
+        return self
+
+    def _choose(self, system: NormalEquations) -> NDArray[np.intp]:
+        size = len(system.gram)
+        if self.keep_at_most is None:
+            return np.arange(size)
+        count = max(1, int(self.keep_at_most * size))
+        start = Bridges.start(system)
+        return np.sort(sparsest_within(system, count, _FIRST_NU, start, 200, 1e-2)[1].kept)
+
+    def predict(self, predicted: ArrayLike, z: ArrayLike) -> Array:
+        """Estimate poses (n, D) from predictions (n, D) and descriptors (n, d)."""
+        check_is_fitted(self)
+        state = self._standard(predicted)
+        kernels = self._kernels(state, np.sqrt(np.asarray(z, dtype=float)))
+        if self.linear is None:
+            estimated = np.hstack([kernels, state]) @ self.coef_ + self.intercept_
+        else:
+            estimated = self.linear * state + kernels @ self.coef_ + self.intercept_
+        return estimated * self.scale_ + self.mean_
+
+    def activations(self, predicted: ArrayLike, z: ArrayLike) -> Array:
+        """Kernel values K_x K_z (Eq. 10), shape (n, k)."""
+        return self._kernels(self._standard(predicted), np.sqrt(np.asarray(z, dtype=float)))
+
+    def _standard(self, x: ArrayLike) -> Array:
+        return (np.asarray(x, dtype=float) - self.mean_) / self.scale_
+
+    def _kernels(self, state: Array, roots: Array) -> Array:
+        exponent = self.beta_x_ * squared_distances(state, self.centres_x_)
+        exponent += self.beta_z_ * squared_distances(roots, self.centres_z_)
+        return np.exp(-exponent)
+
+
+def observed_and_sampled(
+    sequences: Examples,
+    dynamics: SecondOrderDynamics,
+    samples: int = 3,
+    local: float = 1.0,
+    along: float = 2.0,
+    seed: int | None = 0,
+) -> tuple[Array, Array, Array]:
+    """Make the training examples of section V-B.
+
+    Observed predictions alone are so good that a regressor would learn to believe them. So
+    states are also sampled around the true ones, under the same silhouette.
+
+    Parameters
+    ----------
+    sequences : sequence of (z, x)
+    dynamics : SecondOrderDynamics
+    samples : int
+        Artificial examples for each observed one.
+    local : float
+        Standard deviation of the samples, relative to the scatter of the nearest training poses.
+    along : float
+        Further standard deviation along the trajectory, in frames.
+    seed : int or None
+
+    Returns
+    -------
+    predicted : ndarray, shape (n, D)
+    z : ndarray, shape (n, d)
+    x : ndarray, shape (n, D)
+    """
+    random = np.random.default_rng(seed)
+    every = np.concatenate([x for _, x in sequences])
+    scale = dynamics.scale_
+    count = min(_NEIGHBOURS + 1, len(every))
+    near = NearestNeighbors(n_neighbors=count).fit(every / scale)
+    examples = []
+    for z, x in sequences:
+        examples.append((dynamics.predict(x[1:-1], x[:-2]), z[2:], x[2:]))
+        around = every[near.kneighbors(x / scale, return_distance=False)[:, 1:]] - x[:, None]
+        velocity = np.gradient(x, axis=0) if len(x) > 1 else np.zeros_like(x)
+        for _ in range(samples):
+            # A random combination of the differences has their scatter as covariance.
+            mixed = random.standard_normal((len(x), around.shape[1])) / np.sqrt(around.shape[1])
+            offset = local * np.einsum("fn,fnd->fd", mixed, around)
+            offset += along * random.standard_normal((len(x), 1)) * velocity
+            examples.append((x + offset, z, x))
+    predicted, z, x = (np.concatenate(part) for part in zip(*examples, strict=True))
+    return predicted, z, x

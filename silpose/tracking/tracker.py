@@ -1,0 +1,275 @@
+"""The tracker: state-sensitive regression (Eqs. 9, 10) whose state is a belief, not one pose.
+
+The paper predicts one pose x̌ and lets the kernels K_x(x̌, x_k) K_z(z, z_k) select what the
+silhouette z means. A wrong x̌ then selects wrongly, and feeds itself. Here the state is a belief
+a over the kernels. Kernel k is active by K_z(z, z_k), for what is seen, and for what is expected
+by the mean of K_x(·, x_k) over where each key pose i goes next, Σ_i a_i K_x(following_i, x_k).
+Normalised, the activations are the next belief, and the pose is their regression Σ_k a_k x_k,
+corrected linearly by how z differs from Σ_k a_k z_k. It is Bayesian filtering on exemplars, as in
+K. Toyama, A. Blake, "Probabilistic tracking in a metric space", ICCV 2001.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator
+from sklearn.utils.validation import check_is_fitted
+
+from silpose.errors import InputError
+from silpose.pose import SPACES, PoseSpace
+from silpose.tracking.belief import Filter, reversed_time, revise
+from silpose.tracking.key_poses import Examples, KeyPoses, squared_distances
+
+Array = NDArray[np.float64]
+
+_TOLERATED = 2.0  # surprise that is borne, relative to the largest in training
+
+
+@dataclass(frozen=True)
+class Track:
+    """A sequence's estimates.
+
+    Attributes
+    ----------
+    x : ndarray, shape (F, D)
+    state : list of str
+        One of `belief.STATES` for each frame.
+    beliefs : ndarray, shape (F, K)
+        Over key poses: the activations of the state-sensitive basis, summing to 1.
+    """
+
+    x: Array
+    state: list[str]
+    beliefs: Array
+
+
+class Tracker(BaseEstimator):
+    """Tracks a person through descriptors.
+
+    Parameters
+    ----------
+    space : str
+        Name of the pose space.
+    keep : float
+        Key poses as a share of the training frames: the basis functions that are kept.
+    pose_width : float
+        Standard deviation of the pose kernel K_x, per standardised column.
+    descriptor_width : float
+        Standard deviation of the descriptor kernel K_z, relative to how far a training frame
+        lies from its key pose.
+    restart : float
+        Probability that the next pose has nothing to do with the last. At 0 the tracker never
+        recovers.
+    frames_per_second : float
+        Of the training sequences, and of what is tracked.
+    random_state : int or None
+
+    Attributes
+    ----------
+    poses_ : ndarray, shape (K, D)
+        Key poses, standardised.
+    transitions_ : ndarray, shape (K, K)
+        Probability that one follows another.
+    kept_ : float
+        Key poses over training frames.
+    tolerance_ : float
+        Surprise beyond which the track counts as lost.
+    """
+
+    def __init__(
+        self,
+        space: str = "angles",
+        keep: float = 0.18,
+        pose_width: float = 0.2,
+        descriptor_width: float = 1.0,
+        restart: float = 1e-6,
+        frames_per_second: float = 15.0,
+        random_state: int | None = 0,
+    ) -> None:
+        self.space = space
+        self.keep = keep
+        self.pose_width = pose_width
+        self.descriptor_width = descriptor_width
+        self.restart = restart
+        self.frames_per_second = frames_per_second
+        self.random_state = random_state
+
+    def fit(self, sequences: Examples, y: object = None) -> Tracker:
+        """Learn key poses and how they follow one another.
+
+        Parameters
+        ----------
+        sequences : sequence of (z, x)
+            Descriptors (F, d) and poses (F, D) of each training take.
+        """
+        self.take(self.key_poses(sequences))
+        surprises = [0.0]
+        for z, _ in sequences:
+            run = self._filter(self.transitions_)
+            for row in self._likelihoods(self._whitened(z)):
+                run.step(row)
+                surprises.append(run.surprise)
+        self.tolerance_ = _TOLERATED * max(surprises)
+        return self.start()
+
+    def key_poses(self, sequences: Examples) -> KeyPoses:
+        """Cluster the poses of training sequences ``(z, x)``."""
+        count = max(1, int(self.keep * sum(len(x) for _, x in sequences)))
+        return KeyPoses.of(sequences, self._space, count, self.random_state)
+
+    def take(self, keys: KeyPoses) -> Tracker:
+        """Fit the kernels' widths to key poses at hand, so that these serve many widths."""
+        for name in ("pose_width", "descriptor_width"):
+            if not getattr(self, name) > 0:
+                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
+        if not 0 < self.keep <= 1:
+            raise InputError(f"keep is a share of the training frames up to 1, not {self.keep}")
+        if not 0 <= self.restart < 1:
+            raise InputError(f"restart is a probability below 1, not {self.restart}")
+        self.mean_, self.scale_, self.whitening_ = keys.mean, keys.scale, keys.whitening
+        self.poses_, self.descriptors_, self.slope_ = keys.poses, keys.descriptors, keys.slope
+        self.transitions_ = keys.transitions(self.pose_width, self.restart)
+        self.sizes_, self.spread_ = keys.sizes, keys.spread
+        self.kept_ = len(keys.poses) / len(keys.following)
+        self.tolerance_ = np.inf
+        return self.start()
+
+    @property
+    def _space(self) -> PoseSpace:
+        return SPACES[self.space]
+
+    def track(
+        self,
+        z: ArrayLike,
+        initial: ArrayLike | None = None,
+        lag: int = 0,
+        backwards: bool = False,
+        frames_per_second: float | None = None,
+    ) -> Track:
+        """Track a sequence.
+
+        Parameters
+        ----------
+        z : array-like, shape (F, d)
+            Descriptors; a row of NaN where there was nothing to see.
+        initial : array-like, shape (P, D), optional
+            Poses of the first frames, known beforehand; without, the first silhouette tells.
+        lag : int
+            How many later frames each estimate may wait for.
+        backwards : bool
+            Whether to go from the last frame to the first; then `initial` and `lag` count from the
+            end.
+        frames_per_second : float, optional
+            Of the sequence, if known: refused if it is not the training sequences'.
+
+        Returns
+        -------
+        track : Track
+        """
+        check_is_fitted(self)
+        rate = self.frames_per_second if frames_per_second is None else frames_per_second
+        if abs(rate / self.frames_per_second - 1) > 0.02:
+            raise InputError(
+                f"this tracker was trained at {self.frames_per_second:g} frames per second and "
+                f"cannot follow {rate:g}: resample the sequence, or train at its rate"
+            )
+        seen = self._whitened(z)[:: -1 if backwards else 1]
+        transitions = self.transitions_
+        if backwards:
+            transitions = reversed_time(transitions, self.sizes_)
+        likelihoods = self._likelihoods(seen)
+        if initial is not None:
+            known = self._pose_likelihoods(initial)[: len(seen)]
+            likelihoods[: len(known)] = known
+        run = self._filter(transitions)
+        blank = np.isnan(seen[:, 0])
+        steps = [run.step(row, bool(gone)) for row, gone in zip(likelihoods, blank, strict=True)]
+        beliefs, states = np.array([belief for belief, _ in steps]), [state for _, state in steps]
+        if lag:
+            beliefs = revise(beliefs, likelihoods, transitions, lag)
+        x = self._estimate(beliefs, seen)
+        if initial is not None:
+            given = np.asarray(initial, dtype=float)[: len(x)]
+            x[: len(given)] = given
+        if backwards:
+            return Track(x[::-1], states[::-1], beliefs[::-1])
+        return Track(x, states, beliefs)
+
+    def start(self, initial: ArrayLike | None = None) -> Tracker:
+        """Forget what `step` has seen; `initial (P, D)` are poses of the frames before the next."""
+        self._run = self._filter(self.transitions_)
+        if initial is not None:
+            for row in self._pose_likelihoods(initial):
+                self._run.step(row)
+        return self
+
+    def step(self, z: ArrayLike) -> tuple[Array, str]:
+        """Track one frame more: its pose (D,) and state, from its descriptor (d,)."""
+        check_is_fitted(self)
+        seen = self._whitened(np.asarray(z, dtype=float)[None])
+        belief, state = self._run.step(self._likelihoods(seen)[0], bool(np.isnan(seen).any()))
+        return self._estimate(belief[None], seen)[0], state
+
+    def _filter(self, transitions: Array) -> Filter:
+        headings = self.poses_[:, :2] * self.scale_[:2] + self.mean_[:2]
+        prior = self.sizes_ / self.sizes_.sum()
+        return Filter(transitions, prior, headings, self.tolerance_, self.restart > 0)
+
+    def _whitened(self, z: ArrayLike) -> Array:
+        z = np.asarray(z, dtype=float)
+        if z.ndim != 2 or z.shape[1] != len(self.whitening_):
+            raise InputError(
+                f"descriptors have shape {z.shape}: expected (frames, {len(self.whitening_)})"
+            )
+        if len(z) == 0:
+            raise InputError("there is no frame to track")
+        blank = ~np.isfinite(z).all(axis=1)
+        seen = np.sqrt(np.maximum(np.where(blank[:, None], 0, z), 0)) @ self.whitening_
+        seen[blank] = np.nan
+        return seen
+
+    def _likelihoods(self, seen: Array) -> Array:
+        """K_z(z, z_k), shape (F, K), scaled so that the largest of a frame is 1."""
+        distances = squared_distances(np.nan_to_num(seen), self.descriptors_)
+        distances -= distances.min(axis=1, keepdims=True)
+        exponent = distances / (2 * self.descriptor_width**2 * self.spread_)
+        exponent[np.isnan(seen).any(axis=1)] = 0  # nothing was seen: any is as likely
+        return np.exp(-exponent)
+
+    def _pose_likelihoods(self, poses: ArrayLike) -> Array:
+        """K_x(x, x_k) of poses that are known, shape (P, K)."""
+        standard = (np.atleast_2d(np.asarray(poses, dtype=float)) - self.mean_) / self.scale_
+        distances = squared_distances(standard, self.poses_) / len(self.mean_)
+        distances -= distances.min(axis=1, keepdims=True)
+        return np.exp(-distances / (2 * self.pose_width**2))
+
+    def _estimate(self, beliefs: Array, seen: Array) -> Array:
+        poses = beliefs @ self.poses_
+        poses += np.nan_to_num(seen - beliefs @ self.descriptors_) @ self.slope_
+        return poses * self.scale_ + self.mean_
+
+    def state(self) -> dict[str, Any]:
+        """Give parameters and what was learnt, as arrays and numbers."""
+        check_is_fitted(self)
+        parameters = {k: v for k, v in self.get_params().items() if v is not None}
+        return parameters | {name: getattr(self, name) for name in _LEARNT}
+
+    @classmethod
+    def from_state(cls, state: dict[str, Any]) -> Tracker:
+        """Restore what `state` gave."""
+        plain = {k: np.asarray(v).item() for k, v in state.items() if k not in _LEARNT}
+        tracker = cls(**{"random_state": None, **plain})
+        for name in _LEARNT:
+            value = np.asarray(state[name])
+            setattr(tracker, name, value if value.ndim else value.item())
+        return tracker.start()
+
+
+_LEARNT = (
+    "mean_", "scale_", "whitening_", "poses_", "descriptors_", "slope_", "transitions_",
+    "sizes_", "spread_", "kept_", "tolerance_",
+)  # fmt: skip
