@@ -23,6 +23,10 @@ _HEADLINES = {
     "functions_kept": ("functions kept", "{:.0f}"),
     "points_share": ("points retained", "{:.0%}"),
     "kept": ("kernels", "{:.0%}"),
+    "extinct": ("frames extinct", "{:.0%}"),
+    "widest_error": ("worst widths", "{:.2f}"),
+    "locked_on": ("starts that lock on", "{:.0%}"),
+    "within_20deg": ("heading within 20°", "{:.0%}"),
 }
 
 

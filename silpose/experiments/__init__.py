@@ -3,7 +3,11 @@
 from collections.abc import Callable
 
 from silpose.experiments.bridges import bridges
+from silpose.experiments.damping import damping
+from silpose.experiments.extinction import extinction
 from silpose.experiments.feature_selection import feature_selection
+from silpose.experiments.initialisation import initialisation
+from silpose.experiments.kernel_widths import kernel_widths
 from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
@@ -15,7 +19,11 @@ EXPERIMENTS: dict[str, Callable[..., None]] = {
     experiment.__name__: experiment
     for experiment in (
         bridges,
+        damping,
+        extinction,
         feature_selection,
+        initialisation,
+        kernel_widths,
         parts,
         predict,
         regressors,

@@ -1,4 +1,4 @@
-"""Tracking: dynamics alone, observation alone, both together. Section V of the paper, Figs. 14, 15."""
+"""Dynamics alone, observation alone, both together: section V of the paper, Figs. 14, 15."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def _write(
     metrics: Mapping[str, Mapping[str, float]],
 ) -> None:
     described = learnt.described
-    data, take, space = described.data, described.data.test[0], described.data.space
+    take, space = described.data.test[0], described.data.space
     errors = {method: space.distance(take.x, x) for method, x in tracks.items()}
     model = PoseModel(
         described.descriptor, learnt.ridge, space, take.frames_per_second, learnt.tracker

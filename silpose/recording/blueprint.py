@@ -93,6 +93,20 @@ def tracking(
     return _layout([seen, answered, _texts()], [1, 2.6, 1.1], frames_per_second)
 
 
+def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
+    """Lay out kernels that stop firing, and what becomes of the track."""
+    kernels = [
+        _bars(f"{entities.KERNELS}/{t}", f"activation of the kernels: {t}") for t in trackers
+    ]
+    shown = rrb.Vertical(
+        rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
+        rrb.Horizontal(*kernels),
+        _series("error", [f"{entities.ERROR}/**"]),
+        row_shares=[2.2, 1, 1],
+    )
+    return _layout([shown, _texts()], [2.4, 1], frames_per_second)
+
+
 def study(title: str, frames_per_second: float) -> rrb.Blueprint:
     """Lay out a figure, and the errors behind it over time."""
     shown = rrb.Vertical(

@@ -30,6 +30,7 @@ TRACKS = "/tracking/tracks"  # below it a skeleton and a heading per method
 TRACK_NAMES = "/tracking/names"
 BELIEF = "/tracking/belief"
 STATE = "/tracking/state"
+KERNELS = "/tracking/kernels"  # one entity below it per tracker
 
 ERROR = "/evaluation/error"  # one entity below it per method
 

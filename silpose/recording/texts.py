@@ -16,6 +16,10 @@ _COLUMNS = {
     "kept": ("kept", "{:.0%}"),
     "functions_kept": ("functions kept", "{:.0f}"),
     "points_share": ("points", "{:.0%}"),
+    "extinct": ("frames extinct", "{:.0%}"),
+    "widest_error": ("worst widths", "{:.2f}"),
+    "locked_on": ("starts that lock on", "{:.0%}"),
+    "within_20deg": ("heading within 20°", "{:.0%}"),
 }
 
 

@@ -73,7 +73,7 @@ def record_tracking(
         recording.log(
             entities.TRACK_NAMES,
             rr.Points3D(
-                places + (0, _OVERHEAD, 0),
+                places + np.array([0, _OVERHEAD, 0]),
                 labels=list(tracks),
                 radii=0.01,
                 colors=palette.NEUTRAL,
@@ -99,7 +99,9 @@ def _bodies(
 ) -> None:
     """Draw bodies ``poses [(F, D)]`` at places ``(n, 3)`` as one entity."""
     count = len(space.joint_names)
-    joints = [space.joints(x) + height[:, None] + where for x, where in zip(poses, places)]  # noqa: B905
+    joints = [
+        space.joints(x) + height[:, None] + where for x, where in zip(poses, places, strict=True)
+    ]
     lines.skeleton(
         entity,
         np.concatenate(joints, axis=1),
@@ -108,3 +110,40 @@ def _bodies(
         colour,
         radius=0.016 if colour == palette.TRUE else 0.011,
     )
+
+
+def record_extinction(
+    path: Path,
+    name: str,
+    figure: Path,
+    activations: Mapping[str, Array],
+    errors: Mapping[str, Array],
+    frames_per_second: float,
+    texts: Mapping[str, str],
+) -> None:
+    """Write how kernels stop firing.
+
+    Parameters
+    ----------
+    path : Path
+    name : str
+        Of the run.
+    figure : Path
+        Of a PNG.
+    activations : mapping of str to ndarray, shape (F, k)
+        Of each tracker's kernels.
+    errors : mapping of str to ndarray, shape (F,)
+        Likewise.
+    frames_per_second : float
+    texts : mapping of str to str
+        Markdown by entity.
+    """
+    layout = blueprint.extinction(list(activations), frames_per_second)
+    with recording_stream(path, name, texts, layout) as recording:
+        recording.log(entities.FIGURE, rr.EncodedImage(path=figure), static=True)
+        frames = len(next(iter(errors.values())))
+        lines = Lines(recording, frames, frames_per_second)
+        for k, (method, values) in enumerate(activations.items()):
+            colour = palette.hue(k, len(activations))
+            lines.bars(f"{entities.KERNELS}/{method}", values, colour)
+            lines.series(f"{entities.ERROR}/{method}", errors[method], method, colour)

@@ -10,16 +10,23 @@ import numpy as np
 import pytest
 from rerun.chunk import RrdReader
 
+from silpose.pose import ANGLES
 from silpose.recording import (
+    Truth,
     entities,
     record_bridges,
+    record_extinction,
     record_features,
     record_study,
+    record_tracking,
     texts,
 )
+from silpose.silhouette import Camera
+from silpose.tracking import Track
 
 TEXTS = texts("a sequence", "seed: 0\n", {"rvm": {"error": 1.0}})
-PER_SOMETHING = (entities.ERROR, entities.FEATURES)  # one entity below each per method, per part
+# One entity below each per method, per part, per tracker.
+PER_SOMETHING = (entities.ERROR, entities.FEATURES, entities.TRACKS, entities.KERNELS)
 ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {entities.REASONS}
 
 
@@ -27,16 +34,26 @@ ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {entities.REA
 def recordings(finished, sequence, tmp_path_factory):
     """One file of every kind of recording."""
     folder = tmp_path_factory.mktemp("kinds")
-    paths = [folder / f"{kind}.rrd" for kind in ("study", "bridges", "features")]
+    paths = [
+        folder / f"{kind}.rrd"
+        for kind in ("study", "bridges", "features", "tracking", "extinction")
+    ]
     figure = folder / "figure.png"
     cv2.imwrite(str(figure), np.random.default_rng(0).integers(0, 255, (40, 60, 3)))
-    errors = {"rvm": np.arange(5.0), "mean pose": np.arange(5.0)}
+    errors = {"usual": np.arange(5.0), "narrow": np.arange(5.0)}
     record_study(paths[0], "study", figure, errors, "errors", 15.0, TEXTS)
     norms = np.array([[1.0, 2.0, 3.0], [0.0, 2.0, 3.0]])
     record_bridges(paths[1], "bridges", figure, norms, np.array([9.0, 8.0]), TEXTS)
     points = [np.argwhere(mask)[:9, ::-1].astype(np.int32) for mask in sequence.masks]
     marked = {part: [np.arange(9) % 2 > k for _ in points] for k, part in enumerate(("arm", "leg"))}
     record_features(paths[2], "features", sequence.masks, points, marked, 15.0, TEXTS)
+    truth = Truth.of(sequence, Camera(), {"tracker": np.zeros(len(sequence))}, ANGLES)
+    states = ["starting", *["tracking"] * 20, *["lost"] * (len(sequence) - 21)]
+    track = Track(sequence.x, states, np.eye(len(sequence)))
+    tracks = {"ridge": sequence.x, "tracker": sequence.x}
+    record_tracking(paths[3], "tracking", sequence, truth, tracks, track, ANGLES, TEXTS)
+    kernels = {"usual": np.eye(5), "narrow": np.zeros((5, 5))}
+    record_extinction(paths[4], "extinction", figure, kernels, errors, 15.0, TEXTS)
     return [finished.recording, *paths]
 
 

@@ -1,0 +1,40 @@
+"""How long a live step takes, from mask to pose: python benchmarks/tracking.py."""
+
+from time import perf_counter
+
+import cv2
+import numpy as np
+from threadpoolctl import threadpool_limits
+from timing import report
+
+from silpose.config import furnish, load
+from silpose.experiments.rooms import describe, learn_descriptor
+from silpose.model import PoseModel
+from silpose.regression import RidgeRegressor
+from silpose.tracking import Tracker
+
+if __name__ == "__main__":
+    rooms = furnish(load(["descriptor.n_jobs=1"]))
+    data = rooms.dataset()
+    descriptor = learn_descriptor(rooms, data)
+    train = describe(descriptor, data.train)
+    frames = sum(len(x) for _, x in train)
+    cv2.setNumThreads(1)
+    with threadpool_limits(1):
+        started = perf_counter()
+        tracker = Tracker(pose_width=0.7, descriptor_width=0.6).fit(train)
+        fitted = perf_counter() - started
+        model = PoseModel(descriptor, RidgeRegressor(), data.space, 15.0, tracker)
+        took = []
+        step = model.stream()
+        for mask in [*data.test[0].masks] * 3:
+            started = perf_counter()
+            step(mask)
+            took.append(1000 * (perf_counter() - started))
+    rows = [
+        [f"fitting {len(tracker.poses_)} key poses to {frames} frames", f"{1000 * fitted:,.0f}"],
+        ["step, median", f"{np.median(took):.2f}"],
+        ["step, 99th percentile", f"{np.quantile(took, 0.99):.2f}"],
+        ["step, longest", f"{max(took):.2f}"],
+    ]
+    report(f"{len(took)} masks of 256 x 256 to poses, one core", ["what", "milliseconds"], rows)

@@ -1,0 +1,106 @@
+"""A pose kernel that is too narrow loses the track: section V-A of the paper, Fig. 12."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from sklearn.base import clone
+
+from silpose.evaluation import thigh_swing
+from silpose.experiments.figures import ESTIMATED, TRUE
+from silpose.experiments.rooms import Rooms
+from silpose.experiments.trackers import learn_to_track
+from silpose.experiments.training import tidy
+from silpose.pose import PoseSpace
+from silpose.recording import record_extinction, texts
+from silpose.run import Run
+from silpose.tracking import PointTracker
+
+Array = NDArray[np.float64]
+
+
+def extinction(rooms: Rooms, run: Run, kernels: int, narrower: float, takes: list[str]) -> None:
+    """Track with the pose kernel of chosen width, and with one that is too narrow.
+
+    Parameters
+    ----------
+    rooms : Rooms
+    run : Run
+    kernels : int
+        Training examples that carry one, drawn by seed.
+    narrower : float
+        By how much the kernel's width is divided: β_x is multiplied by its square.
+    takes : list of str
+        Training takes of the kernels; where the dataset has none of them, its longest.
+    """
+    learnt = learn_to_track(rooms, run)
+    described, space = learnt.described, learnt.described.data.space
+    names = [take.name for take in described.data.train]
+    named = [k for k, name in enumerate(names) if name in takes]
+    longest = max(range(len(names)), key=lambda k: len(described.train[k][1]))
+    sequences = [described.train[k] for k in named or [longest]]
+    with run.stage("tracking"):
+        chosen = learnt.joint.regressor
+        settings = {"centres": kernels, "keep_at_most": None}
+        usual = clone(chosen).set_params(**settings)
+        narrow = clone(usual).set_params(pose_width=chosen.pose_width * narrower**2)
+        z, x = described.test[0]
+        trackers = {
+            name: replace(learnt.joint, dynamics=clone(learnt.dynamics), regressor=regressor)
+            for name, regressor in (("usual", usual), ("narrow", narrow))
+        }
+        tracks = {n: _by_time(t.fit(sequences)).track(z, x[:2]) for n, t in trackers.items()}
+    metrics = {
+        name: {
+            space.metrics[0]: float(space.distance(x, estimated).mean()),
+            "extinct": float((activations[2:].max(axis=1) < 1e-3).mean()),
+        }
+        for name, (estimated, activations) in tracks.items()
+    }
+    with run.writing("extinction.png") as path:
+        _figure(path, space, x, tracks)
+    with run.writing("run.rrd") as path:
+        record_extinction(
+            path,
+            f"{run.experiment}/{run.name}",
+            run.folder / "extinction.png",
+            {name: activations for name, (_, activations) in tracks.items()},
+            {name: space.distance(x, estimated) for name, (estimated, _) in tracks.items()},
+            described.data.test[0].frames_per_second,
+            texts("activations of the kernels over time", run.settings, metrics),
+        )
+    run.write_settings()
+    run.write_results([*learnt.selection.rows, *tidy(metrics)])
+    run.write_metrics(described.data.name, rooms.seed, metrics)
+
+
+def _by_time(tracker: PointTracker) -> PointTracker:
+    """Put the kernels in the order in which a walk meets them: by their poses' headings."""
+    regressor = tracker.regressor
+    centres = regressor.centres_x_ * regressor.scale_ + regressor.mean_
+    order = np.argsort(np.arctan2(centres[:, 1], centres[:, 0]))
+    regressor.centres_x_ = regressor.centres_x_[order]
+    regressor.centres_z_ = regressor.centres_z_[order]
+    count = len(order)
+    regressor.coef_ = np.vstack([regressor.coef_[:count][order], regressor.coef_[count:]])
+    return tracker
+
+
+def _figure(
+    path: Path, space: PoseSpace, true: Array, tracks: dict[str, tuple[Array, Array]]
+) -> None:
+    figure = Figure(figsize=(12, 6), layout="constrained")
+    rows = figure.subplots(2, 2, sharex=True)
+    for (swing, image), (name, (x, activations)) in zip(rows.T, tracks.items(), strict=True):
+        swing.plot(thigh_swing(space, true), color=TRUE, lw=2, label="true")
+        swing.plot(thigh_swing(space, x), color=ESTIMATED, lw=1, label="tracked")
+        swing.set_title(f"{name} pose kernel: {space.distance(true, x).mean():.2f} off on average")
+        swing.set(ylabel="left thigh, degrees", ylim=(-90, 90))
+        swing.legend(loc="lower left", fontsize=8, ncols=2)
+        image.imshow(activations.T, aspect="auto", cmap="magma", vmin=0, interpolation="nearest")
+        image.set(xlabel="frame", ylabel="kernels, by heading")
+    figure.savefig(path, dpi=110, format="png")

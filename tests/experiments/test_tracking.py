@@ -1,0 +1,68 @@
+"""The experiments of section V: Figs. 12 to 15, tolerance, initialisation."""
+
+import pytest
+
+import silpose
+
+FAST = (
+    "regression.basis.width=2",
+    "regression.ridge.damping=0.1",
+    "tracking.tracker.pose_width=0.7",
+    "tracking.tracker.descriptor_width=0.6",
+    "tracking.dynamics.damping=100",
+    "tracking.joint.pose_width=0.5",
+    "tracking.joint.descriptor_width=2",
+    "tracking.joint.centres=150",
+    "tracking.rivals.smoothing=[9]",
+    "tracking.rivals.window=[3]",
+    "tracking.rivals.neighbours=[20]",
+    "tracking.rivals.viterbi_weight=3",
+    "tracking.rivals.fusion=0.4",
+)
+
+
+def test_tracking_sets_trackers_beside_their_rivals(study, tmp_path, sequence):
+    metrics, _ = study("tracking", *FAST, "motion.test_seconds=6")
+    assert {"mean_pose", "nearest", "oracle", "ridge", "smoothed", "nearest_viterbi"} < set(metrics)
+    error = {method: values["mean_angular_error_deg"] for method, values in metrics.items()}
+    assert error["tracker"] < error["mean_pose"] < error["dynamics"]
+    assert metrics["tracker"]["kept"] <= 0.18
+    model = silpose.load(tmp_path / "tracking" / "001")
+    track = model.track(sequence.masks, lag=3)
+    step = model.stream()
+    live = [step(mask) for mask in sequence.masks]
+    assert [state for _, state in live] == track.state
+    assert live[-1][0] == pytest.approx(track.x[-1])  # the last frame cannot wait
+
+
+def test_a_narrow_pose_kernel_goes_extinct(study):
+    metrics, _ = study("extinction", *FAST, "kernels=60")
+    assert metrics["usual"]["extinct"] < metrics["narrow"]["extinct"]
+
+
+def test_damping_has_the_full_matrix_beside_it(study):
+    metrics, _ = study("damping", *FAST, "values=[0,0.9]")
+    assert list(metrics) == ["s=0", "s=0.9", "full C"]
+
+
+def test_kernel_widths_of_both_trackers(study):
+    metrics, rows = study("kernel_widths", *FAST, "factors=[0.5,1]")
+    assert set(metrics) == {"joint", "tracker"}
+    assert len(rows) == 2 * 2 * 2
+
+
+def test_initialisation_at_every_frame(study):
+    metrics, _ = study("initialisation", *FAST)
+    for values in metrics.values():
+        assert 0 <= values["locked_on"] <= 1
+        assert 0 < values["within_20deg"] <= 1
+
+
+def test_on_the_authors_data_the_trackers_reach_what_is_claimed(study, shared_mocap):
+    data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
+    chosen = ("tracking.tracker.pose_width=0.3", "tracking.tracker.descriptor_width=1.6")
+    metrics, _ = study("tracking", "dataset=agarwal", f"dataset.path={data}", *FAST, *chosen)
+    assert metrics["tracker"]["mean_joint_distance"] < 1.9
+    assert metrics["tracker_lag"]["mean_joint_distance"] < 1.7
+    off = {method: values["heading_over_20deg"] for method, values in metrics.items()}
+    assert off["tracker_lag"] < off["ridge"] / 3

@@ -1,0 +1,64 @@
+import numpy as np
+import pytest
+
+from silpose.tracking.belief import correct, reversed_time, revise
+
+
+@pytest.fixture
+def chain():
+    """Transitions (5, 5) and likelihoods (8, 5) of a random hidden Markov chain."""
+    rng = np.random.default_rng(0)
+    return rng.dirichlet(np.ones(5), 5), rng.random((8, 5))
+
+
+def forward(transitions, likelihoods):
+    prediction, beliefs = np.full(5, 0.2), []
+    for row in likelihoods:
+        beliefs.append(correct(prediction, row)[0])
+        prediction = beliefs[-1] @ transitions
+    return np.array(beliefs)
+
+
+def by_enumeration(transitions, likelihoods, frame, last):
+    """Probability (5,) of each state at a frame given what is seen up to the last."""
+    weight = np.full(5, 0.2) * likelihoods[0]
+    paths = np.diag(weight) if frame == 0 else None
+    for t in range(1, last + 1):
+        if paths is None:
+            weight = weight @ transitions * likelihoods[t]
+            paths = np.diag(weight) if t == frame else None
+        else:
+            paths = paths @ transitions * likelihoods[t]
+    total = paths.sum(axis=1)
+    return total / total.sum()
+
+
+@pytest.mark.parametrize("lag", [0, 1, 3, 20])
+def test_waiting_gives_the_posterior(chain, lag):
+    revised = revise(forward(*chain), chain[1], chain[0], lag)
+    for frame in range(8):
+        assert revised[frame] == pytest.approx(by_enumeration(*chain, frame, min(frame + lag, 7)))
+
+
+def test_surprise_is_the_log_of_what_the_prediction_leaves():
+    belief, surprise = correct(np.array([0.25, 0.75]), np.array([1.0, 0.0]))
+    assert belief == pytest.approx([1, 0])
+    assert surprise == pytest.approx(-np.log(0.25))
+
+
+def test_what_is_ruled_out_keeps_the_prediction():
+    predicted = np.array([1.0, 0.0])
+    belief, surprise = correct(predicted, np.array([0.0, 1.0]))
+    assert belief is predicted
+    assert surprise == np.inf
+
+
+def test_time_reversed_twice_is_time():
+    rng = np.random.default_rng(1)
+    joint = rng.random((4, 4))
+    joint += joint.T  # so that leaving and arriving are as frequent
+    sizes = joint.sum(axis=1)
+    transitions = joint / sizes[:, None]
+    backwards = reversed_time(transitions, sizes)
+    assert backwards.sum(axis=1) == pytest.approx(np.ones(4))
+    assert reversed_time(backwards, sizes) == pytest.approx(transitions)

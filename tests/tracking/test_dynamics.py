@@ -1,0 +1,38 @@
+import numpy as np
+import pytest
+
+from silpose.errors import InputError
+from silpose.tracking import SecondOrderDynamics
+
+
+def oscillation(frames=200, phase=0.0):
+    t = 0.3 * np.arange(frames) + phase
+    return np.stack([np.cos(t), np.sin(t), 3 + 0.1 * np.sin(2 * t)], axis=1)
+
+
+def test_heavy_damping_is_constant_velocity():
+    x = oscillation()
+    model = SecondOrderDynamics(damping=1e12).fit([x])
+    assert model.predict(x[1], x[0]) == pytest.approx(2 * x[1] - x[0], abs=1e-6)
+
+
+def test_light_damping_finds_a_linear_recurrence():
+    takes = [oscillation(phase=p) for p in (0.0, 1.0, 2.0)]
+    model = SecondOrderDynamics(damping=1e-9).fit(takes)
+    unseen = oscillation(phase=0.5)
+    assert np.abs(model.run(unseen[:2], len(unseen)) - unseen).max() < 1e-3
+
+
+def test_prediction_of_many_is_that_of_each(takes):
+    x = takes[0][1]
+    model = SecondOrderDynamics().fit([x for _, x in takes])
+    together = model.predict(x[1:-1], x[:-2])
+    assert together[7] == pytest.approx(model.predict(x[8], x[7]))
+    assert together.shape == x[2:].shape
+
+
+def test_wants_three_frames_and_positive_damping(takes):
+    with pytest.raises(InputError, match="three frames"):
+        SecondOrderDynamics().fit([takes[0][1][:2]])
+    with pytest.raises(InputError, match="positive"):
+        SecondOrderDynamics(damping=0).fit([takes[0][1]])

@@ -1,0 +1,143 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from silpose.errors import InputError
+from silpose.pose import ANGLES
+from silpose.tracking import Tracker
+from silpose.tracking.belief import STATES
+
+
+@pytest.fixture(scope="module")
+def tracker(takes):
+    return Tracker(keep=0.3, pose_width=0.4, descriptor_width=0.8).fit(takes)
+
+
+def off(x, track):
+    return ANGLES.distance(x, track.x)
+
+
+def heading_off(x, estimated):
+    return np.abs((ANGLES.heading(x) - ANGLES.heading(estimated) + 180) % 360 - 180)
+
+
+def test_follows_an_unseen_walk(tracker, unseen, takes):
+    z, x = unseen
+    mean_pose = np.concatenate([x for _, x in takes]).mean(axis=0)
+    error = off(x, tracker.track(z))
+    assert error[15:].mean() < 0.2 * ANGLES.distance(x, mean_pose).mean()
+
+
+def test_waiting_helps(tracker, unseen):
+    z, x = unseen
+    assert off(x, tracker.track(z, lag=5)).mean() < off(x, tracker.track(z)).mean()
+
+
+def test_frame_by_frame_is_the_same_as_in_one_go(tracker, unseen):
+    z = unseen[0].copy()
+    z[40:44] = np.nan
+    track = tracker.track(z)
+    tracker.start()
+    steps = [tracker.step(row) for row in z]
+    assert np.array([x for x, _ in steps]) == pytest.approx(track.x)
+    assert [state for _, state in steps] == track.state
+
+
+def test_a_known_start_is_kept_and_used(tracker, unseen):
+    z, x = unseen
+    blind = z.copy()
+    blind[:6] = np.nan
+    told = tracker.track(blind, initial=x[:2])
+    assert told.x[:2] == pytest.approx(x[:2])
+    assert off(x, told)[2:6].mean() < off(x, tracker.track(blind))[2:6].mean()
+
+
+def test_goes_backwards(tracker, unseen):
+    z, x = unseen
+    assert off(x, tracker.track(z, backwards=True))[:-15].mean() < 2
+
+
+def test_nothing_to_see_is_lost_then_found(tracker, unseen):
+    z, x = unseen[0].copy(), unseen[1]
+    z[50:65] = np.nan
+    track = tracker.track(z)
+    assert set(track.state[50:65]) == {"lost"}
+    assert "recovered" in track.state[65:80]
+    assert np.isfinite(track.x).all()
+    assert np.median(heading_off(x, track.x)[70:]) < 10
+
+
+def test_a_jump_cut_is_recovered_from_unless_switched_off(takes, unseen):
+    z, x = unseen
+    order = np.r_[0:40, 85:120]
+    widths = {"keep": 0.3, "pose_width": 0.4, "descriptor_width": 0.8}
+    errors = {}
+    for restart in (1e-6, 0.0):
+        tracker = Tracker(restart=restart, **widths).fit(takes)
+        errors[restart] = heading_off(x[order], tracker.track(z[order]).x)[55:].mean()
+    assert errors[1e-6] < 20
+    assert errors[1e-6] <= errors[0.0] + 1e-9
+
+
+def test_states_are_known_and_begin_with_starting_when_all_is_open(tracker, unseen):
+    z = unseen[0].copy()
+    z[:3] = np.nan
+    track = tracker.track(z)
+    assert set(track.state) <= set(STATES)
+    assert track.state[:3] == ["starting"] * 3
+    assert track.state[-1] == "tracking"
+
+
+@given(st.integers(0, 2**32 - 1), st.floats(0, 1))
+@settings(max_examples=25, deadline=None)
+def test_never_gives_a_number_that_is_not_finite(tracker, seed, blank):
+    rng = np.random.default_rng(seed)
+    z = rng.dirichlet(np.full(24, 10.0 ** rng.uniform(-3, 2)), 40)
+    z[rng.random(40) < blank] = np.nan
+    track = tracker.track(z, lag=int(rng.integers(0, 9)))
+    assert np.isfinite(track.x).all()
+    assert track.beliefs.sum(axis=1) == pytest.approx(np.ones(40))
+
+
+def test_ten_thousand_random_steps_leave_it_finite_and_its_memory_flat(tracker):
+    rng = np.random.default_rng(0)
+    tracker.start()
+    size = len(vars(tracker._run))
+    for z in rng.dirichlet(np.full(24, 0.1), 10_000):
+        x, _ = tracker.step(z)
+    assert np.isfinite(x).all()
+    assert len(vars(tracker._run)) == size  # it keeps a belief, and no past
+
+
+def test_same_seed_same_tracker(takes, tracker):
+    again = Tracker(keep=0.3, pose_width=0.4, descriptor_width=0.8).fit(takes)
+    assert np.array_equal(again.transitions_, tracker.transitions_)
+
+
+def test_survives_saving(tracker, unseen):
+    again = Tracker.from_state({k: np.asarray(v) for k, v in tracker.state().items()})
+    assert again.track(unseen[0]).x == pytest.approx(tracker.track(unseen[0]).x)
+
+
+@pytest.mark.parametrize("frames", [1, 2])
+def test_a_short_sequence_is_tracked(tracker, unseen, frames):
+    assert tracker.track(unseen[0][:frames], lag=5).x.shape == (frames, 55)
+
+
+def test_learns_from_takes_of_a_frame_or_two(walk):
+    sequences = [walk(frames, seed) for seed, frames in enumerate((1, 2, 40))]
+    assert np.isfinite(Tracker(keep=1.0).fit(sequences).track(sequences[2][0]).x).all()
+
+
+def test_what_it_cannot_do_it_says(tracker, unseen, takes):
+    z = unseen[0]
+    with pytest.raises(InputError, match=r"trained at 15 frames per second and cannot follow 30"):
+        tracker.track(z, frames_per_second=30)
+    with pytest.raises(InputError, match=r"expected \(frames, 24\)"):
+        tracker.track(z[:, :5])
+    with pytest.raises(InputError, match="no frame"):
+        tracker.track(z[:0])
+    for wrong in ({"keep": 0}, {"pose_width": -1}, {"restart": 1.0}):
+        with pytest.raises(InputError, match=next(iter(wrong))):
+            Tracker(**wrong).fit(takes)
