@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sklearn.base import clone
 
+from silpose.errors import InputError
 from silpose.evaluation import thigh_swing
 from silpose.experiments.figures import ESTIMATED, TRUE
 from silpose.experiments.rooms import Rooms
@@ -23,8 +25,10 @@ from silpose.tracking import PointTracker
 Array = NDArray[np.float64]
 
 
-def extinction(rooms: Rooms, run: Run, kernels: int, narrower: float, takes: list[str]) -> None:
-    """Track with the pose kernel of chosen width, and with one that is too narrow.
+def extinction(
+    rooms: Rooms, run: Run, kernels: int, narrower: Sequence[float], takes: Sequence[str]
+) -> None:
+    """Track with the pose kernel of chosen width, and with ones that are too narrow.
 
     Parameters
     ----------
@@ -32,11 +36,13 @@ def extinction(rooms: Rooms, run: Run, kernels: int, narrower: float, takes: lis
     run : Run
     kernels : int
         Training examples that carry one, drawn by seed.
-    narrower : float
-        By how much the kernel's width is divided: β_x is multiplied by its square.
-    takes : list of str
+    narrower : sequence of float
+        By how much the kernel's width is divided: β_x is multiplied by the square.
+    takes : sequence of str
         Training takes of the kernels; where the dataset has none of them, its longest.
     """
+    if kernels < 1 or not narrower or min(narrower) <= 0:
+        raise InputError(f"kernels and narrower must be positive, not {kernels} and {narrower}")
     learnt = learn_to_track(rooms, run)
     described, space = learnt.described, learnt.described.data.space
     names = [take.name for take in described.data.train]
@@ -45,15 +51,15 @@ def extinction(rooms: Rooms, run: Run, kernels: int, narrower: float, takes: lis
     sequences = [described.train[k] for k in named or [longest]]
     with run.stage("tracking"):
         chosen = learnt.joint.regressor
-        settings = {"centres": kernels, "keep_at_most": None}
-        usual = clone(chosen).set_params(**settings)
-        narrow = clone(usual).set_params(pose_width=chosen.pose_width * narrower**2)
         z, x = described.test[0]
-        trackers = {
-            name: replace(learnt.joint, dynamics=clone(learnt.dynamics), regressor=regressor)
-            for name, regressor in (("usual", usual), ("narrow", narrow))
-        }
-        tracks = {n: _by_time(t.fit(sequences)).track(z, x[:2]) for n, t in trackers.items()}
+        tracks = {}
+        for factor in (1, *narrower):
+            regressor = clone(chosen).set_params(
+                centres=kernels, keep_at_most=None, pose_width=chosen.pose_width * factor**2
+            )
+            tracker = replace(learnt.joint, dynamics=clone(learnt.dynamics), regressor=regressor)
+            name = "as chosen" if factor == 1 else f"{factor:g} times narrower"
+            tracks[name] = _by_heading(tracker.fit(sequences)).track(z, x[:2])
     metrics = {
         name: {
             space.metrics[0]: float(space.distance(x, estimated).mean()),
@@ -78,7 +84,7 @@ def extinction(rooms: Rooms, run: Run, kernels: int, narrower: float, takes: lis
     run.write_metrics(described.data.name, rooms.seed, metrics)
 
 
-def _by_time(tracker: PointTracker) -> PointTracker:
+def _by_heading(tracker: PointTracker) -> PointTracker:
     """Put the kernels in the order in which a walk meets them: by their poses' headings."""
     regressor = tracker.regressor
     centres = regressor.centres_x_ * regressor.scale_ + regressor.mean_
@@ -93,12 +99,12 @@ def _by_time(tracker: PointTracker) -> PointTracker:
 def _figure(
     path: Path, space: PoseSpace, true: Array, tracks: dict[str, tuple[Array, Array]]
 ) -> None:
-    figure = Figure(figsize=(12, 6), layout="constrained")
-    rows = figure.subplots(2, 2, sharex=True)
+    figure = Figure(figsize=(5 * len(tracks), 6), layout="constrained")
+    rows = figure.subplots(2, len(tracks), sharex=True)
     for (swing, image), (name, (x, activations)) in zip(rows.T, tracks.items(), strict=True):
         swing.plot(thigh_swing(space, true), color=TRUE, lw=2, label="true")
         swing.plot(thigh_swing(space, x), color=ESTIMATED, lw=1, label="tracked")
-        swing.set_title(f"{name} pose kernel: {space.distance(true, x).mean():.2f} off on average")
+        swing.set_title(f"pose kernel {name}: {space.distance(true, x).mean():.2f} off")
         swing.set(ylabel="left thigh, degrees", ylim=(-90, 90))
         swing.legend(loc="lower left", fontsize=8, ncols=2)
         image.imshow(activations.T, aspect="auto", cmap="magma", vmin=0, interpolation="nearest")

@@ -96,7 +96,8 @@ def tracking(
 def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
     """Lay out kernels that stop firing, and what becomes of the track."""
     kernels = [
-        _bars(f"{entities.KERNELS}/{t}", f"activation of the kernels: {t}") for t in trackers
+        _bars(f"{entities.KERNELS}/{t.replace(' ', '_')}", f"activation of the kernels: {t}")
+        for t in trackers
     ]
     shown = rrb.Vertical(
         rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),

@@ -145,5 +145,6 @@ def record_extinction(
         lines = Lines(recording, frames, frames_per_second)
         for k, (method, values) in enumerate(activations.items()):
             colour = palette.hue(k, len(activations))
-            lines.bars(f"{entities.KERNELS}/{method}", values, colour)
-            lines.series(f"{entities.ERROR}/{method}", errors[method], method, colour)
+            place = method.replace(" ", "_")
+            lines.bars(f"{entities.KERNELS}/{place}", values, colour)
+            lines.series(f"{entities.ERROR}/{place}", errors[method], method, colour)

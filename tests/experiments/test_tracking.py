@@ -37,7 +37,7 @@ def test_tracking_sets_trackers_beside_their_rivals(study, tmp_path, sequence):
 
 def test_a_narrow_pose_kernel_goes_extinct(study):
     metrics, _ = study("extinction", *FAST, "kernels=60")
-    assert metrics["usual"]["extinct"] < metrics["narrow"]["extinct"]
+    assert metrics["as chosen"]["extinct"] < metrics["10 times narrower"]["extinct"]
 
 
 def test_damping_has_the_full_matrix_beside_it(study):
