@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from silpose.run import load_run
+from silpose.run import load_run, runs_table
 
 if TYPE_CHECKING:
     from silpose.model import PoseModel
@@ -24,4 +24,4 @@ def load(path: str | Path) -> PoseModel:
     return PoseModel.load(path)
 
 
-__all__ = ["load", "load_run"]
+__all__ = ["load", "load_run", "runs_table"]

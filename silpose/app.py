@@ -14,6 +14,7 @@ from omegaconf import DictConfig, OmegaConf
 
 from silpose.config import build, check_overrides, config_folder, explain, furnish
 from silpose.errors import InputError
+from silpose.tools import TOOLS, run_tool
 
 _HOUSE = ("motion", "silhouette", "dataset", "descriptor", "regression", "tracking", "recording")
 
@@ -23,6 +24,9 @@ def main() -> None:
     os.environ["HYDRA_FULL_ERROR"] = "1"  # so that Hydra leaves its errors to us
     warnings.showwarning = lambda message, *_: print(f"silpose: {message}", file=sys.stderr)
     try:
+        if sys.argv[1:2] and sys.argv[1] in TOOLS:
+            run_tool(sys.argv[1:])
+            return
         folder = str(config_folder())
         hydra.main(version_base="1.3", config_path=folder, config_name="config")(_job)()
     except Exception as error:

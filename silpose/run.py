@@ -145,6 +145,12 @@ class FinishedRun:
 
         return PoseModel.load(self.folder / "model.npz")
 
+    def poses(self) -> dict[str, Any]:
+        """Read the pose vectors back from the recording, ``(F, D)`` each, by what they are."""
+        from silpose.recording import read_poses
+
+        return read_poses(self.recording)
+
     @property
     def recording(self) -> Path:
         """The file that the Rerun viewer opens."""
@@ -166,3 +172,43 @@ def load_run(folder: str | Path) -> FinishedRun:
         content["seconds"],
         config,
     )
+
+
+def runs_table(root: str | Path = "recordings") -> Any:
+    """List all runs below a root, as a pandas table.
+
+    Parameters
+    ----------
+    root : path
+
+    Returns
+    -------
+    table : pandas.DataFrame
+        A row per run, by ``experiment`` and ``run``: ``complete``, ``dataset``, ``seed``,
+        ``seconds`` and each headline value as ``method.name``. A run that was cut off has its
+        names only.
+    """
+    try:
+        import pandas
+    except ModuleNotFoundError as error:
+        raise InputError("tables need pandas: pip install 'silpose[notebook]'") from error
+    if not Path(root).is_dir():
+        raise InputError(f"there is no folder '{root}': give the one that holds the runs")
+    rows = [_row(folder) for folder in sorted(Path(root).glob("*/*")) if folder.is_dir()]
+    columns = None if rows else ["experiment", "run", "complete"]
+    return pandas.DataFrame(rows, columns=columns).set_index(["experiment", "run"])
+
+
+def _row(folder: Path) -> dict[str, Any]:
+    row: dict[str, Any] = {"experiment": folder.parent.name, "run": folder.name, "complete": False}
+    metrics = folder / "metrics.json"
+    if not metrics.is_file():
+        return row
+    content = json.loads(metrics.read_text(encoding="utf-8"))
+    row |= {"complete": True, "dataset": content["dataset"], "seed": content["seed"]}
+    row["seconds"] = sum(content["seconds"].values())
+    return row | {
+        f"{method}.{name}": value
+        for method, values in content["metrics"].items()
+        for name, value in values.items()
+    }

@@ -1,6 +1,9 @@
 """Recordings: the only room that knows Rerun."""
 
+from silpose.recording.compare import compare
 from silpose.recording.notebook import show
+from silpose.recording.picture import film, picture
+from silpose.recording.read import read_poses
 from silpose.recording.reasons import Reasons
 from silpose.recording.record import Truth, record_prediction, record_single_image
 from silpose.recording.study import record_bridges, record_features, record_study
@@ -10,6 +13,10 @@ from silpose.recording.tracking import record_extinction, record_tracking
 __all__ = [
     "Reasons",
     "Truth",
+    "compare",
+    "film",
+    "picture",
+    "read_poses",
     "record_bridges",
     "record_extinction",
     "record_features",

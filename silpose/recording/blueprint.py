@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import rerun as rr
 import rerun.blueprint as rrb
@@ -10,6 +10,23 @@ import rerun.blueprint as rrb
 from silpose.recording import entities
 
 _GROUND = rrb.LineGrid3D(spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80])
+
+
+_EYE = rrb.EyeControls3D(
+    kind=rrb.Eye3DKind.Orbital,
+    position=[0.95, 1.15, 2.0],
+    look_target=[0.0, 0.85, 0.0],
+    eye_up=[0, 1, 0],
+)
+
+
+def _front(away: float) -> rrb.EyeControls3D:
+    return rrb.EyeControls3D(
+        kind=rrb.Eye3DKind.Orbital,
+        position=[0.0, 1.2, away],
+        look_target=[0.0, 0.95, 0.0],
+        eye_up=[0, 1, 0],
+    )
 
 
 def single_image(
@@ -60,7 +77,6 @@ def tracking(
     methods: Sequence[str], frames_per_second: float, metric: str, masks: bool
 ) -> rrb.Blueprint:
     """Lay out several methods' estimates side by side, and a tracker's state below."""
-    width = 0.75 * len(methods) + 0.3
     headings = [entities.TRUE_HEADING, *(f"{entities.TRACKS}/{m}/heading" for m in methods[-1:])]
     answered = rrb.Vertical(
         rrb.Spatial3DView(
@@ -73,12 +89,7 @@ def tracking(
             name="true (blue) and estimated poses",
             background=[22, 24, 28],
             line_grid=_GROUND,
-            eye_controls=rrb.EyeControls3D(
-                kind=rrb.Eye3DKind.Orbital,
-                position=[0.0, 1.2, width],
-                look_target=[0.0, 0.95, 0.0],
-                eye_up=[0, 1, 0],
-            ),
+            eye_controls=_front(0.75 * len(methods) + 0.3),
         ),
         rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
         _series("heading, degrees", headings),
@@ -106,6 +117,45 @@ def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Bluepri
         row_shares=[2.2, 1, 1],
     )
     return _layout([shown, _texts()], [2.4, 1], frames_per_second)
+
+
+def comparison(
+    drawn: Mapping[str, str], frames_per_second: float, side_by_side: bool
+) -> rrb.Blueprint:
+    """Lay out runs side by side, and the error of one method of each in one plot.
+
+    Parameters
+    ----------
+    drawn : mapping of str to str
+        From a run's name to the method whose errors are drawn.
+    frames_per_second : float
+    side_by_side : bool
+        Whether each run has several bodies of its own.
+    """
+    bodies = (
+        entities.TRUE_SKELETON,
+        entities.ESTIMATED_SKELETON,
+        entities.TRACK_NAMES,
+        f"{entities.TRACKS}/**",
+    )
+    views = [
+        rrb.Spatial3DView(
+            origin=f"/{run}",
+            contents=[f"$origin{path}" for path in bodies],
+            name=run,
+            background=[22, 24, 28],
+            line_grid=_GROUND,
+            eye_controls=_front(2.6 if side_by_side else 1.4),
+        )
+        for run in drawn
+    ]
+    shown = rrb.Vertical(
+        rrb.Grid(*views, grid_columns=1 if side_by_side else min(len(views), 3)),
+        _series("error", [f"/{run}{entities.ERROR}/{method}" for run, method in drawn.items()]),
+        row_shares=[3 if side_by_side else 2, 1],
+    )
+    results = rrb.TextDocumentView(origin=entities.METRICS, name="results")
+    return _layout([shown, results], [2.4, 1], frames_per_second)
 
 
 def study(title: str, frames_per_second: float) -> rrb.Blueprint:
@@ -185,12 +235,7 @@ def _body_view(name: str) -> rrb.Spatial3DView:
         name=name,
         background=[22, 24, 28],
         line_grid=_GROUND,
-        eye_controls=rrb.EyeControls3D(
-            kind=rrb.Eye3DKind.Orbital,
-            position=[0.95, 1.15, 2.0],
-            look_target=[0.0, 0.85, 0.0],
-            eye_up=[0, 1, 0],
-        ),
+        eye_controls=_EYE,
     )
 
 

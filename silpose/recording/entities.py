@@ -2,6 +2,7 @@
 
 TRUE_SKELETON = "/motion/skeleton"
 TRUE_HEADING = "/motion/heading"
+TRUE_POSE = "/motion/pose"
 
 CAMERA = "/silhouette/camera"
 MASK = "/silhouette/camera/mask"
@@ -12,6 +13,7 @@ SEQUENCE = "/dataset/sequence"
 HISTOGRAM = "/descriptor/histogram"
 
 ESTIMATED_SKELETON = "/regression/skeleton"
+ESTIMATED_POSE = "/regression/pose"
 ESTIMATED_HEADING = "/regression/heading"
 HEADING_NORM = "/regression/heading_norm"
 ACTIVATIONS = "/regression/activations"
@@ -26,7 +28,7 @@ COLUMNS_LEFT = "/regression/bridges/columns_left"
 OBJECTIVE = "/regression/bridges/objective"
 FEATURES = "/silhouette/camera/retained"  # one entity below it per body part
 
-TRACKS = "/tracking/tracks"  # below it a skeleton and a heading per method
+TRACKS = "/tracking/tracks"  # below it a skeleton, a heading, a pose per method
 TRACK_NAMES = "/tracking/names"
 BELIEF = "/tracking/belief"
 STATE = "/tracking/state"

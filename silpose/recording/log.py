@@ -153,6 +153,11 @@ class Track:
         )
         self.columns(entity, rr.Scalars.columns(scalars=values), None)
 
+    def rows(self, entity: str, values: Array) -> None:
+        """Log numbers that no view shows, to be read back: ``values (F, n)``."""
+        lengths = [values.shape[1]] * self._frames
+        self.columns(entity, rr.Scalars.columns(scalars=values.ravel()), lengths)
+
     def states(
         self, entity: str, states: Sequence[str], colours: dict[str, palette.Colour]
     ) -> None:

@@ -111,6 +111,7 @@ def record_single_image(
             palette.TRUE,
             radius=0.016,
         )
+        track.rows(entities.TRUE_POSE, truth.poses)
         headings = space.heading(truth.poses)
         track.series(entities.TRUE_HEADING, headings, "true", palette.TRUE)
         for method, errors in truth.errors.items():
@@ -175,6 +176,7 @@ def _log_estimate(track: Track, space: PoseSpace, x: Array, root: Array) -> None
         palette.ESTIMATED,
         radius=0.011,
     )
+    track.rows(entities.ESTIMATED_POSE, x)
     track.series(entities.ESTIMATED_HEADING, space.heading(x), "estimated", palette.ESTIMATED)
     track.series(
         entities.HEADING_NORM, space.heading_norm(x), "norm of (cos, sin)", palette.ESTIMATED

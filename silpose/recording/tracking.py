@@ -64,11 +64,13 @@ def record_tracking(
         places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
         height = truth.root * (0, 1, 0)
         _bodies(lines, entities.TRUE_SKELETON, [truth.poses] * len(tracks), places, height, space)
+        lines.rows(entities.TRUE_POSE, truth.poses)
         lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
         for where, (method, x) in zip(places, tracks.items(), strict=True):
             colour = palette.METHODS.get(method, palette.ESTIMATED)
             entity = f"{entities.TRACKS}/{method}"
             _bodies(lines, f"{entity}/skeleton", [x], [where], height, space, colour)
+            lines.rows(f"{entity}/pose", x)
             lines.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
         recording.log(
             entities.TRACK_NAMES,

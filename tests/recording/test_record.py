@@ -97,13 +97,7 @@ def test_the_table_of_entities_is_true():
     assert named == ENTITIES
 
 
-def vulkan():
-    places = (Path("/usr/share/vulkan/icd.d"), Path("/etc/vulkan/icd.d"))
-    return any(place.is_dir() and any(place.iterdir()) for place in places)
-
-
-@pytest.mark.skipif(not vulkan() and not os.environ.get("CI"), reason="no Vulkan driver")
-def test_each_opens_in_the_viewer_without_an_error(recordings, tmp_path, monkeypatch):
+def test_each_opens_in_the_viewer_without_an_error(recordings, tmp_path, monkeypatch, painting):
     from rerun.experimental import ViewerClient
 
     monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)

@@ -1,0 +1,31 @@
+import cv2
+import pytest
+from PIL import Image
+
+from silpose.errors import InputError
+from silpose.recording import film, picture
+
+
+def test_a_frame_is_painted(finished, tmp_path, painting):
+    picture(finished.recording, 10, tmp_path / "whole.png", width=800)
+    whole = cv2.imread(str(tmp_path / "whole.png"))
+    assert whole.shape[1] == 800
+    assert whole.std() > 10
+
+
+def test_a_stretch_moves(finished, tmp_path, painting):
+    film(finished.recording, range(0, 9, 4), tmp_path / "f.gif", view="silhouette", width=300)
+    with Image.open(tmp_path / "f.gif") as gif:
+        assert gif.n_frames == 3
+    film(finished.recording, [0, 4], tmp_path / "f.mp4", width=300)
+    video = cv2.VideoCapture(str(tmp_path / "f.mp4"))
+    assert int(video.get(cv2.CAP_PROP_FRAME_COUNT)) == 2
+
+
+def test_what_cannot_be_painted_is_said(finished, tmp_path, painting):
+    with pytest.raises(InputError, match="no view's title begins with 'foo'; there are"):
+        picture(finished.recording, 0, tmp_path / "no.png", view="foo")
+    with pytest.raises(InputError, match=r"end in \.gif or \.mp4"):
+        film(finished.recording, [0], tmp_path / "f.avi")
+    with pytest.raises(InputError, match="one frame"):
+        film(finished.recording, [], tmp_path / "f.gif")
