@@ -79,10 +79,8 @@ def _write(
             Truth.of(take, rooms.camera, errors, data.space),
             [show, "nearest", "mean_pose"],
             texts(
-                f"test sequence {take.name} by {take.performer}; {show}: "
-                + ", ".join(
-                    f"{k['metric']} {k['value']:.1f} of {k['range_deg']:.0f}" for k in keys
-                ),
+                f"test sequence {take.name} by {take.performer}; RMS errors of {show}: "
+                + ", ".join(_in_words(key) for key in keys),
                 run.settings,
                 metrics,
             ),
@@ -98,3 +96,8 @@ def _write(
             {m: values[data.space.metrics[0]] for m, values in metrics.items()},
             show,
         )
+
+
+def _in_words(key: dict[str, object]) -> str:
+    angle = str(key["metric"]).removesuffix("_rms_deg").replace("_", " ")
+    return f"{angle} {key['value']:.1f}° in a range of {key['range_deg']:.0f}°"

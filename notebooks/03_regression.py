@@ -1,0 +1,90 @@
+# ---
+# jupyter:
+#   jupytext:
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # How few examples are enough?
+#
+# A relevance vector machine keeps the training silhouettes that matter, one set for all 55 numbers
+# of a pose. Raise ν, and fewer stay.
+#
+# **1. Descriptors and poses** of ten walkers.
+
+# %%
+import os
+
+import numpy as np
+
+from silpose.config import furnish, load
+from silpose.dataset import poses
+
+fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
+rooms = furnish(load(fast))
+data = rooms.dataset()
+masks = np.concatenate([take.masks for take in data.train])
+z, x = rooms.descriptor.fit_transform(masks), poses(data.train)
+z_test, x_test = rooms.descriptor.transform(data.test[0].masks), data.test[0].x
+print(z.shape, x.shape)
+
+# %% [markdown]
+# **2. A path over ν.** The regressors are scikit-learn estimators.
+
+# %%
+from silpose.regression import Basis, RelevanceVectorRegressor, RidgeRegressor
+
+basis = Basis(width=2, hellinger=True)
+ridge = RidgeRegressor(basis, damping=0.1).fit(z, x)
+path = [RelevanceVectorRegressor(basis, nu=nu).fit(z, x) for nu in (4, 8, 16, 32, 64, 128)]
+errors = [data.space.distance(x_test, rvm.predict(z_test)).mean() for rvm in path]
+for rvm, error in zip(path, errors, strict=True):
+    print(f"nu={rvm.nu:3}: {rvm.kept_:4.0%} kept, {error:.2f}° off")
+
+# %% [markdown]
+# **3. Sparse against dense,** and against always answering the mean pose.
+
+# %%
+import matplotlib.pyplot as plt
+
+dense = data.space.distance(x_test, ridge.predict(z_test)).mean()
+mean_pose = data.space.distance(x_test, x.mean(axis=0)).mean()
+plt.semilogx([rvm.kept_ for rvm in path], errors, "o-", label="relevance vectors")
+plt.axhline(dense, color="gray", ls="--", label="kernel ridge, all kept")
+plt.axhline(mean_pose, color="gray", ls=":", label="mean pose")
+plt.xlabel("share of the training silhouettes kept")
+plt.ylabel("mean angular error, degrees")
+plt.ylim(0)
+plt.legend()
+
+# %% [markdown]
+# **4. What is kept:** the training silhouettes whose coefficients are largest.
+
+# %%
+sparse = path[-1]
+largest = np.argsort(-np.linalg.norm(sparse.coef_, axis=1))[:10]
+kept = masks[sparse.basis_.indices_[largest]]
+plt.figure(figsize=(12, 2.5))
+plt.imshow(np.hstack(kept[:, :, 70:-70]), cmap="gray_r")
+plt.axis("off")
+
+# %% [markdown]
+# **5. How sure?** Two standard deviations around the estimated left hip angle, and the true one.
+
+# %%
+estimated, std = sparse.predict(z_test, return_std=True)
+column = data.space.columns.index("left_hip_x")
+frames = np.arange(len(x_test))
+low, high = (estimated[:, column] + k * std[:, column] for k in (-2, 2))
+plt.figure(figsize=(12, 3))
+plt.fill_between(frames, low, high, alpha=0.3, label="two standard deviations")
+plt.plot(frames, x_test[:, column], "k", label="true")
+inside = np.mean((low < x_test[:, column]) & (x_test[:, column] < high))
+plt.title(f"left hip: {inside:.0%} of the frames lie inside")
+plt.legend(loc="upper right")
