@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,14 +12,14 @@ import numpy as np
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare
-from silpose.model import PoseModel, Poses
+from silpose.model import Look, PoseModel, Poses
 from silpose.recording import record_prediction, texts
 from silpose.regression import check_methods
 from silpose.run import Run
 from silpose.silhouette import mask_files, read_masks
 
 
-def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
+def predict(rooms: Rooms, run: Run, model: str | None, show: str, lag: float) -> None:
     """Estimate the pose behind each mask of a folder; write them as a recording and a table.
 
     Parameters
@@ -29,6 +30,8 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
         Path of a run's ``model.npz``; None trains one on the rooms' dataset first.
     show : str
         The method to train.
+    lag : float
+        Seconds that a model that tracks may wait for later frames.
     """
     check_methods([show])
     own = rooms.own_masks
@@ -37,9 +40,9 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
     masks = read_masks(own.source, own.blank)
     fitted = PoseModel.load(model) if model else _train(rooms, run, show)
     with run.stage("prediction"):
-        look = fitted.look(masks, own.blank)
+        look, states = _follow(fitted, fitted.look(masks, own.blank), own.frames_per_second, lag)
     with run.writing("poses.csv") as path:
-        _write_csv(path, mask_files(own.source), Poses(look.x, fitted.space))
+        _write_csv(path, mask_files(own.source), Poses(look.x, fitted.space), states)
     with run.writing("run.rrd") as path:
         sequence = f"{len(masks)} masks of `{own.source}`"
         record_prediction(
@@ -57,17 +60,31 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str) -> None:
     run.write_metrics(Path(own.source).name, rooms.seed, {})
 
 
+def _follow(
+    model: PoseModel, look: Look, frames_per_second: float, lag: float
+) -> tuple[Look, list[str] | None]:
+    """Put tracked poses in the place of single-image ones, where the model can."""
+    if model.tracker is None:
+        return look, None
+    frames = round(lag * frames_per_second)
+    track = model.tracker.track(look.z, lag=frames, frames_per_second=frames_per_second)
+    return replace(look, x=track.x), track.state
+
+
 def _train(rooms: Rooms, run: Run, method: str) -> PoseModel:
     described = prepare(rooms, run)
     with run.stage("regression"):
         return described.model(described.learn(rooms.candidates, [method]).regressors[method])
 
 
-def _write_csv(path: Path, files: Sequence[Path], estimated: Poses) -> None:
+def _write_csv(
+    path: Path, files: Sequence[Path], estimated: Poses, states: Sequence[str] | None
+) -> None:
     joints = [f"{j}_{axis}_m" for j in estimated.space.joint_names for axis in "xyz"]
     columns = [
         "frame",
         "file",
+        *(["state"] if states else []),
         "heading_deg",
         "heading_norm",
         *(f"{column}_deg" for column in estimated.space.columns[2:]),
@@ -83,4 +100,5 @@ def _write_csv(path: Path, files: Sequence[Path], estimated: Poses) -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
         for frame, (image, row) in enumerate(zip(files, numbers, strict=True)):
-            writer.writerow([frame, image.name, *(f"{v:.6g}" for v in row)])
+            state = [states[frame]] if states else []
+            writer.writerow([frame, image.name, *state, *(f"{v:.6g}" for v in row)])

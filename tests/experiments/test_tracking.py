@@ -1,8 +1,14 @@
 """The experiments of section V: Figs. 12 to 15, tolerance, initialisation."""
 
+import csv
+
+import numpy as np
 import pytest
 
 import silpose
+from silpose.app import run_experiment
+from silpose.config import load
+from silpose.tracking.belief import STATES
 
 FAST = (
     "regression.basis.width=2",
@@ -21,18 +27,35 @@ FAST = (
 )
 
 
-def test_tracking_sets_trackers_beside_their_rivals(study, tmp_path, sequence):
+def test_tracking_sets_trackers_beside_their_rivals(study, tmp_path, sequence, mask_folder):
     metrics, _ = study("tracking", *FAST, "motion.test_seconds=6")
     assert {"mean_pose", "nearest", "oracle", "ridge", "smoothed", "nearest_viterbi"} < set(metrics)
     error = {method: values["mean_angular_error_deg"] for method, values in metrics.items()}
     assert error["tracker"] < error["mean_pose"] < error["dynamics"]
     assert metrics["tracker"]["kept"] <= 0.18
-    model = silpose.load(tmp_path / "tracking" / "001")
+    folder = tmp_path / "tracking" / "001"
+    model = silpose.load(folder)
     track = model.track(sequence.masks, lag=3)
     step = model.stream()
     live = [step(mask) for mask in sequence.masks]
     assert [state for _, state in live] == track.state
     assert live[-1][0] == pytest.approx(track.x[-1])  # the last frame cannot wait
+    run_experiment(
+        load(
+            [
+                "experiment=predict",
+                "silhouette=masks",
+                f"silhouette.source={mask_folder}",
+                "silhouette.blank=nan",
+                f"model={folder}",
+                f"recording.root={tmp_path}",
+            ]
+        )
+    )
+    with (tmp_path / "predict" / "001" / "poses.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert {row["state"] for row in rows} <= set(STATES)
+    assert all(np.isfinite(float(row["heading_deg"])) for row in rows)
 
 
 def test_a_narrow_pose_kernel_goes_extinct(study):
