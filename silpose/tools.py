@@ -1,4 +1,4 @@
-"""Commands for finished runs: ``silpose compare``, ``silpose picture``, ``silpose film``."""
+"""Commands for what runs leave behind: ``silpose compare``, ``picture``, ``film``, ``repair``."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-TOOLS = ("compare", "picture", "film")
+TOOLS = ("compare", "picture", "film", "repair")
 
 
 def run_tool(arguments: Sequence[str]) -> None:
@@ -38,6 +38,13 @@ def _film(given: argparse.Namespace) -> None:
     film(_recording(given.run), frames, given.output, given.view, given.width, rate)
 
 
+def _repair(given: argparse.Namespace) -> None:
+    from silpose.recording import repair
+    from silpose.summary import near, rerun_command
+
+    print(f"Open it:  {rerun_command()} {near(repair(given.run))}")
+
+
 def _recording(run: Path) -> Path:
     return run / "run.rrd" if run.is_dir() else run
 
@@ -66,6 +73,10 @@ def _parser() -> argparse.ArgumentParser:
     tool.add_argument("--rate", type=float, default=15, help="of the recording, frames a second")
     tool.add_argument("-o", "--output", type=Path, default=Path("film.gif"))
     tool.set_defaults(call=_film)
+
+    tool = tools.add_parser("repair", help="salvage a recording that was cut off")
+    tool.add_argument("run", type=Path, metavar="RUN", help="a run's folder, or a recording")
+    tool.set_defaults(call=_repair)
     return parser
 
 

@@ -6,6 +6,7 @@ from silpose.recording.picture import film, picture
 from silpose.recording.read import read_poses
 from silpose.recording.reasons import Reasons
 from silpose.recording.record import Truth, record_prediction, record_single_image
+from silpose.recording.repair import repair
 from silpose.recording.study import record_bridges, record_features, record_study
 from silpose.recording.texts import texts
 from silpose.recording.tracking import record_extinction, record_tracking
@@ -24,6 +25,7 @@ __all__ = [
     "record_single_image",
     "record_study",
     "record_tracking",
+    "repair",
     "show",
     "texts",
 ]
