@@ -178,7 +178,7 @@ def _in_words(hint: Any) -> str:
 
 def furnish(settings: DictConfig) -> Rooms:
     """Build every room from its settings."""
-    from silpose.dataset import AgarwalFile, SamePerformer, synthesise
+    from silpose.dataset import AgarwalFile, SamePerformer, degraded, synthesise
     from silpose.descriptor import ShapeContextHistogram
     from silpose.experiments import OwnMasks, Rooms
     from silpose.motion import BvhFolder, WalkerTakes
@@ -189,7 +189,7 @@ def furnish(settings: DictConfig) -> Rooms:
         RvmSettings,
         SvmSettings,
     )
-    from silpose.silhouette import Body, Camera
+    from silpose.silhouette import Body, Camera, Degradation
 
     plain = OmegaConf.to_container(settings, resolve=True)
     assert isinstance(plain, dict)
@@ -206,6 +206,7 @@ def furnish(settings: DictConfig) -> Rooms:
     rooms_camera = build(Camera, camera, "silhouette.camera")
     source = choose(sources, plain["motion"], "motion")
     rooms_body = build(Body, body, "silhouette.body")
+    damage = build(Degradation, silhouette.pop("degradation"), "silhouette.degradation")
     datasets = {"same_performer": SamePerformer, "agarwal": AgarwalFile}
     chosen = choose(datasets, plain["dataset"], "dataset")
     name = f"{plain['dataset']['kind']}/{plain['motion']['kind']}"
@@ -213,7 +214,8 @@ def furnish(settings: DictConfig) -> Rooms:
     def dataset() -> Dataset:
         if isinstance(chosen, AgarwalFile):
             return chosen.dataset()
-        return synthesise(source.takes(), chosen, rooms_body, rooms_camera, name)
+        whole = synthesise(source.takes(), chosen, rooms_body, rooms_camera, name)
+        return degraded(whole, damage)
 
     return Rooms(
         dataset=dataset,

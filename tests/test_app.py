@@ -83,6 +83,8 @@ WRONG = {
     "dataset.test=[zzz]": "no take matches 'zzz' in dataset.test",
     "silhouette.camera.distance=-1": "distance must be positive",
     "silhouette.body.shape=[1,2]": "10 coefficients, not 2",
+    "silhouette.degradation.test=[hole]": "no degradation 'hole'",
+    "silhouette.degradation.strength=2": "strength is 0 to 1, not 2",
     "recording.root=file": "cannot write to 'file/single_image'",
     "recording.name=a/b": "name of one folder",
     "experiment=predict": "add silhouette=masks silhouette.source=FOLDER",

@@ -10,7 +10,7 @@ from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
 from silpose.motion import WalkerTakes
 from silpose.regression import BasisSettings, RidgeSettings, RvmSettings
-from silpose.silhouette import Body, Camera
+from silpose.silhouette import Body, Camera, Degradation
 
 CHOICES = sorted(
     (file.parent.name, file.stem)
@@ -66,6 +66,7 @@ def test_conf_holds_the_constructors_own_defaults():
         (WalkerTakes, plain["motion"]),
         (Camera, plain["silhouette"]["camera"]),
         (Body, plain["silhouette"]["body"]),
+        (Degradation, plain["silhouette"]["degradation"]),
         (SamePerformer, plain["dataset"]),
         (ShapeContextHistogram, plain["descriptor"]),
         (BasisSettings, plain["regression"]["basis"]),

@@ -2,7 +2,20 @@
 
 from silpose.silhouette.body import Body
 from silpose.silhouette.camera import Camera
+from silpose.silhouette.degradation import Degradation
+from silpose.silhouette.degrade import KINDS, contour_damage, degrade
 from silpose.silhouette.files import mask_files, read_mask, read_masks
 from silpose.silhouette.render import render
 
-__all__ = ["Body", "Camera", "mask_files", "read_mask", "read_masks", "render"]
+__all__ = [
+    "KINDS",
+    "Body",
+    "Camera",
+    "Degradation",
+    "contour_damage",
+    "degrade",
+    "mask_files",
+    "read_mask",
+    "read_masks",
+    "render",
+]
