@@ -23,6 +23,11 @@ _HEADLINES = {
     "functions_kept": ("functions kept", "{:.0f}"),
     "points_share": ("points retained", "{:.0%}"),
     "kept": ("kernels", "{:.0%}"),
+    "whole_error": ("whole", "{:.2f}"),
+    "gain_lost": ("gain lost", "{:.0%}"),
+    "rank_correlation": ("rank correlation", "{:.2f}"),
+    "validation_error": ("validation", "{:.2f}"),
+    "test_error": ("test", "{:.2f}"),
 }
 
 

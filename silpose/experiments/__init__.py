@@ -3,16 +3,23 @@
 from collections.abc import Callable
 
 from silpose.experiments.bridges import bridges
+from silpose.experiments.descriptor_choices import descriptor_choices
+from silpose.experiments.descriptor_robustness import descriptor_robustness
+from silpose.experiments.descriptor_space import descriptor_space
 from silpose.experiments.feature_selection import feature_selection
 from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
 from silpose.experiments.rooms import OwnMasks, Rooms
+from silpose.experiments.similarity import similarity
 from silpose.experiments.single_image import single_image
 
 EXPERIMENTS: dict[str, Callable[..., None]] = {
     experiment.__name__: experiment
-    for experiment in (bridges, feature_selection, parts, predict, regressors, single_image)
+    for experiment in (
+        *(bridges, feature_selection, parts, predict, regressors, single_image),
+        *(descriptor_choices, descriptor_robustness, descriptor_space, similarity),
+    )
 }
 
 __all__ = ["EXPERIMENTS", "OwnMasks", "Rooms"]

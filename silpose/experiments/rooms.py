@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 
 from silpose.dataset import Dataset
 from silpose.dataset import Sequence as Take
-from silpose.descriptor import ShapeContextHistogram
+from silpose.descriptor import AlignedMask, HuMoments, ShapeContextHistogram
+from silpose.errors import InputError
 from silpose.progress import bar
 from silpose.regression import Candidates
+from silpose.run import Run
 from silpose.silhouette import Camera
 
 Array = NDArray[np.float64]
+Descriptor = ShapeContextHistogram | HuMoments | AlignedMask
 
 
 @dataclass(frozen=True)
@@ -61,15 +64,20 @@ class Rooms:
     seed: int
 
 
+def masks_of(take: Take, run: Run) -> NDArray[np.uint8]:
+    """Masks of a take, without which an experiment cannot go on."""
+    if take.masks is None:
+        raise InputError(f"{run.experiment} wants masks: these data hold descriptors only")
+    return take.masks
+
+
 def learn_descriptor(rooms: Rooms, data: Dataset) -> ShapeContextHistogram | None:
     """Fit the descriptor to the training masks; None where the data hold descriptors already."""
     masks = [take.masks for take in data.train if take.masks is not None]
     return rooms.descriptor.fit([mask for take in masks for mask in take]) if masks else None
 
 
-def describe(
-    descriptor: ShapeContextHistogram | None, takes: Sequence[Take]
-) -> list[tuple[Array, Array]]:
+def describe(descriptor: Descriptor | None, takes: Sequence[Take]) -> list[tuple[Array, Array]]:
     """Descriptors (F, d) and poses (F, D) of each take, with a progress bar."""
     with bar("descriptors", sum(len(take) for take in takes)) as advance:
         examples = []

@@ -54,12 +54,13 @@ def predict(frames_per_second: float) -> rrb.Blueprint:
     return _layout([_seen(), answered, _texts()], [1, 1.9, 0.8], frames_per_second)
 
 
-def study(title: str, frames_per_second: float) -> rrb.Blueprint:
-    """Lay out a figure, and the errors behind it over time."""
+def study(title: str, frames_per_second: float, masks: bool = False) -> rrb.Blueprint:
+    """Lay out a figure, and the errors behind it over time, beside the masks if there are any."""
+    below: rrb.Container | rrb.View = _series(title, [f"{entities.ERROR}/**"])
+    if masks:
+        below = rrb.Horizontal(_mask_view("silhouette"), below, column_shares=[1, 2.4])
     shown = rrb.Vertical(
-        rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
-        _series(title, [f"{entities.ERROR}/**"]),
-        row_shares=[1.6, 1],
+        rrb.Spatial2DView(origin=entities.FIGURE, name="figure"), below, row_shares=[1.6, 1]
     )
     return _layout([shown, _texts()], [2.4, 1], frames_per_second)
 
@@ -116,11 +117,9 @@ def _seen(masks: bool = True) -> rrb.Container:
     return rrb.Vertical(_mask_view(), *bars, row_shares=[2.2, 1, 1])
 
 
-def _mask_view() -> rrb.Spatial2DView:
+def _mask_view(name: str = "silhouette: mask and edge points") -> rrb.Spatial2DView:
     return rrb.Spatial2DView(
-        origin=entities.CAMERA,
-        contents=[entities.MASK, entities.EDGE_POINTS],
-        name="silhouette: mask and edge points",
+        origin=entities.CAMERA, contents=[entities.MASK, entities.EDGE_POINTS], name=name
     )
 
 

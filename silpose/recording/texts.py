@@ -14,6 +14,11 @@ _COLUMNS = {
     "error": ("error", "{:.2f}"),
     "mean_pose_error": ("mean pose", "{:.2f}"),
     "kept": ("kept", "{:.0%}"),
+    "whole_error": ("whole", "{:.2f}"),
+    "gain_lost": ("gain lost", "{:.0%}"),
+    "rank_correlation": ("rank correlation", "{:.2f}"),
+    "validation_error": ("validation", "{:.2f}"),
+    "test_error": ("test", "{:.2f}"),
     "functions_kept": ("functions kept", "{:.0f}"),
     "points_share": ("points", "{:.0%}"),
 }

@@ -1,0 +1,2 @@
+def descriptor_choices(rooms, run):
+    pass

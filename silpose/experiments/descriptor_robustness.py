@@ -1,0 +1,245 @@
+"""Does the descriptor survive local segmentation errors and occlusion? Section II-A of the paper.
+
+The histogram of shape contexts beside what people would use instead, Hu's moments and principal
+components of the aligned mask, with the same regressor behind all three: taught by whole or by
+damaged silhouettes, tested on damaged ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+from sklearn.base import clone
+
+from silpose.dataset import Dataset, degraded
+from silpose.descriptor import AlignedMask, HuMoments
+from silpose.errors import InputError
+from silpose.experiments.rooms import Descriptor, Rooms, describe, masks_of
+from silpose.experiments.training import Described, compare
+from silpose.recording import record_study, texts
+from silpose.regression import Candidates, Regressor
+from silpose.run import Run
+from silpose.silhouette import Degradation, contour_damage, degrade
+
+Array = NDArray[np.float64]
+Masks = list[NDArray[np.uint8]]
+Rows = list[dict[str, object]]
+
+OURS, REGRESSION = "shape_contexts", "ridge"
+COLOURS = {OURS: "tab:orange", "aligned_mask_pca": "tab:blue", "hu_moments": "tab:green"}
+TAUGHT = "_taught_damaged"  # added to a descriptor's name
+
+
+@dataclass(frozen=True)
+class Eye:
+    """A descriptor and the regressor behind it."""
+
+    descriptor: Descriptor
+    regressor: Regressor
+
+    def estimate(self, masks: Sequence[NDArray[np.uint8]]) -> Array:
+        """Pose of each mask, shape (n, D)."""
+        return self.regressor.predict(self.descriptor.transform(masks))
+
+
+def descriptor_robustness(
+    rooms: Rooms,
+    run: Run,
+    kinds: list[str],
+    strengths: list[float],
+    taught: float,
+    damage: float,
+    every: int,
+) -> None:
+    """Degrade the test silhouettes, each kind at rising strength, and see what is left.
+
+    Parameters
+    ----------
+    rooms : Rooms
+    run : Run
+    kinds : list of str
+        Of degradation.
+    strengths : list of float
+        Of each.
+    taught : float
+        Where damaged silhouettes teach, four of five suffer one of the kinds at a strength between
+        0 and this.
+    damage : float
+        Share of the contour at which the share of the gain that is lost is told.
+    every : int
+        One of so many test frames is degraded.
+    """
+    if not kinds or not strengths or every < 1 or not 0 < damage < 1:
+        raise InputError("name kinds and strengths; every is at least 1, damage between 0 and 1")
+    for strength in strengths:
+        Degradation(test=kinds, strength=strength)  # which complains before time is spent
+    lessons = Degradation([*4 * kinds, *["none"] * len(kinds)], [], [0.0, taught], rooms.seed)
+    with run.stage("masks"):
+        data = rooms.dataset()
+        whole = [mask for take in data.test for mask in masks_of(take, run)][::every]
+        true = np.concatenate([take.x for take in data.test])[::every]
+    eyes: dict[str, Eye] = {}
+    metrics: dict[str, dict[str, float]] = {}
+    with run.stage("regression"):
+        for lesson, teacher in (("", data), (TAUGHT, degraded(data, lessons))):
+            for name, descriptor in {
+                OURS: clone(rooms.descriptor),
+                "aligned_mask_pca": AlignedMask(random_state=rooms.seed),
+                "hu_moments": HuMoments(),
+            }.items():
+                described, regressor = _learn(teacher, descriptor, rooms.candidates, name == OURS)
+                eyes[name + lesson] = Eye(descriptor, regressor)
+                if not metrics:
+                    _, metrics = compare(described, {OURS: regressor})
+    mean_pose = np.concatenate([take.x for take in data.train]).mean(axis=0)
+    nothing = float(data.space.distance(true, mean_pose[None]).mean())
+    errors = {n: data.space.distance(true, eye.estimate(whole)).mean() for n, eye in eyes.items()}
+    rows: Rows = []
+    with run.stage("degradation"):
+        for kind in kinds:
+            for strength in sorted(strengths):
+                damaged = _damage(whole, kind, strength, rooms.seed)
+                share = np.mean(
+                    [contour_damage(*pair) for pair in zip(whole, damaged, strict=True)]
+                )
+                for name, eye in eyes.items():
+                    error = data.space.distance(true, eye.estimate(damaged)).mean()
+                    lost = (error - errors[name]) / (nothing - errors[name])
+                    rows.append(
+                        {"descriptor": name, "kind": kind, "strength": strength, "damage": share}
+                        | {"error": error, "gain_lost": lost}
+                    )
+    lost = {name: {kind: _lost_at(damage, rows, name, kind) for kind in kinds} for name in eyes}
+    for name, error in errors.items():
+        metrics.setdefault(name, {})
+        metrics[name] |= {"whole_error": error, "mean_pose_error": nothing}
+        metrics[name]["gain_lost"] = float(np.mean(list(lost[name].values())))
+        metrics[name] |= {f"gain_lost_{kind}": value for kind, value in lost[name].items()}
+    unit = data.space.metrics[0].replace("_", " ")
+    with run.writing("descriptor_robustness.png") as path:
+        _figure(path, rows, errors, nothing, lost, damage, whole, unit, rooms.seed)
+    _record(rooms, run, data, eyes, kinds, metrics, unit)
+    run.write_settings()
+    run.write_results(rows)
+    run.write_metrics(data.name, rooms.seed, metrics)
+
+
+def _learn(
+    data: Dataset, descriptor: Descriptor, candidates: Candidates, histogram: bool
+) -> tuple[Described, Regressor]:
+    descriptor.fit([mask for take in data.train if take.masks is not None for mask in take.masks])
+    parts = (describe(descriptor, part) for part in (data.train, data.validation, data.test))
+    described = Described(data, None, *parts)
+    basis = replace(candidates.basis, hellinger=candidates.basis.hellinger and histogram)
+    chosen = described.learn(replace(candidates, basis=basis), [REGRESSION])
+    return described, chosen.regressors[REGRESSION]
+
+
+def _damage(masks: Masks, kind: str, strength: float, seed: int) -> Masks:
+    """Degrade every mask; a frame's damage is at the same place whatever the strength."""
+    return [
+        degrade(mask, kind, strength, np.random.default_rng([seed, frame]))
+        for frame, mask in enumerate(masks)
+    ]
+
+
+def _lost_at(damage: float, rows: Rows, name: str, kind: str) -> float:
+    """Share of the gain lost where so much of the contour is damaged, or at the kind's worst."""
+    own = [row for row in rows if (row["descriptor"], row["kind"]) == (name, kind)]
+    shares = [0.0, *(float(str(row["damage"])) for row in own)]
+    return float(np.interp(damage, shares, [0.0, *(float(str(row["gain_lost"])) for row in own)]))
+
+
+def _record(
+    rooms: Rooms,
+    run: Run,
+    data: Dataset,
+    eyes: Mapping[str, Eye],
+    kinds: Sequence[str],
+    metrics: dict[str, dict[str, float]],
+    unit: str,
+) -> None:
+    """Record the first test sequence, one kind after the other rising from nothing to 1."""
+    take = data.test[0]
+    length = int(np.ceil(len(take) / len(kinds)))
+    frames = np.arange(len(take))
+    masks = [
+        degrade(mask, kinds[f // length], f % length / length, np.random.default_rng(f // length))
+        for f, mask in zip(frames, masks_of(take, run), strict=True)
+    ]
+    series = {n: data.space.distance(take.x, eye.estimate(masks)) for n, eye in eyes.items()}
+    told = ", ".join(f"{kind} from frame {k * length}" for k, kind in enumerate(kinds))
+    with run.writing("run.rrd") as path:
+        record_study(
+            path,
+            f"{run.experiment}/{run.name}",
+            run.folder / "descriptor_robustness.png",
+            series,
+            f"{unit}, the damage rising from nothing",
+            take.frames_per_second,
+            texts(f"test sequence {take.name}: {told}", run.settings, metrics),
+            masks,
+        )
+
+
+def _figure(
+    path: Path,
+    rows: Rows,
+    errors: Mapping[str, float],
+    nothing: float,
+    lost: Mapping[str, Mapping[str, float]],
+    damage: float,
+    whole: Masks,
+    unit: str,
+    seed: int,
+) -> None:
+    kinds = list(next(iter(lost.values())))
+    columns = 3
+    figure = Figure(figsize=(12, 1.2 + 3.0 * np.ceil(len(kinds) / columns)), layout="constrained")
+    grid = figure.subplots(int(np.ceil(len(kinds) / columns)), columns, squeeze=False, sharey=True)
+    highest = max(nothing, *(float(str(row["error"])) for row in rows))
+    for axes, kind in zip(grid.ravel(), kinds, strict=False):
+        for name, error in errors.items():
+            own = [row for row in rows if (row["descriptor"], row["kind"]) == (name, kind)]
+            damages = [0.0, *(100 * float(str(row["damage"])) for row in own)]
+            curve = [error, *(float(str(row["error"])) for row in own)]
+            style = ".--" if name.endswith(TAUGHT) else ".-"
+            label = f"{name.replace('_', ' ')}: {lost[name][kind]:.0%} lost"
+            axes.plot(
+                damages, curve, style, color=COLOURS[name.removesuffix(TAUGHT)], lw=1.2, label=label
+            )
+        axes.axhline(nothing, color="gray", ls="-.", lw=1)
+        axes.axvline(100 * damage, color="gray", ls=":", lw=1)
+        axes.set(ylim=(0, 1.6 * highest), title=kind.replace("_", " "))
+        axes.legend(fontsize=6, loc="lower right")
+        _samples(axes, whole[len(whole) // 3], kind, seed)
+    for axes in grid.ravel()[len(kinds) :]:
+        axes.axis("off")
+    figure.supxlabel("contour lost or false, %", fontsize=10)
+    figure.supylabel(f"{unit}  (grey: the mean pose)", fontsize=10)
+    figure.suptitle(
+        f"damaged silhouettes test; share of the gain lost where {damage:.0%} of the contour is damaged",
+        fontsize=11,
+    )
+    figure.savefig(path, dpi=110, format="png")
+
+
+def _samples(axes: Axes, mask: NDArray[np.uint8], kind: str, seed: int) -> None:
+    """Draw one silhouette along the top, at rising strength."""
+    left, right = np.flatnonzero(mask.any(axis=0))[[0, -1]]
+    margin = (right - left) // 2
+    window = slice(max(0, left - margin), right + margin)
+    for k, strength in enumerate((0.1, 0.4, 0.7, 1.0)):
+        degraded = degrade(mask, kind, strength, np.random.default_rng([seed, 1]))
+        inset = axes.inset_axes((0.03 + 0.24 * k, 0.62, 0.22, 0.37))
+        inset.imshow(
+            1 - 0.75 * degraded[:, window] - 0.12 * mask[:, window], cmap="gray", vmin=0, vmax=1
+        )
+        inset.text(0.5, 0.0, f"{strength:g}", fontsize=7, ha="center", transform=inset.transAxes)
+        inset.axis("off")

@@ -1,0 +1,2 @@
+def descriptor_space(rooms, run):
+    pass

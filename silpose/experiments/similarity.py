@@ -1,0 +1,2 @@
+def similarity(rooms, run):
+    pass
