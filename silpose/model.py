@@ -69,6 +69,8 @@ class Look:
         Empty, as the points, where descriptors are all there is.
     points : list of ndarray, each (P, 2)
         Edge points, pixels; none for a blank mask.
+    nearest : list of ndarray of int, each (P,)
+        The codebook centre nearest to each.
     z : ndarray, shape (F, d)
         Descriptors; NaN for a blank mask, as the following.
     activations : ndarray, shape (F, k)
@@ -79,6 +81,7 @@ class Look:
 
     masks: list[NDArray[np.uint8]]
     points: list[NDArray[np.int32]]
+    nearest: list[NDArray[np.int32]]
     z: Array
     activations: Array
     x: Array
@@ -141,18 +144,20 @@ class PoseModel:
         described = self._descriptor().describe([frames[f] for f in seen])
         z = np.stack([d.z for d in described])
         points = [np.empty((0, 2), np.int32)] * len(frames)
+        nearest = [np.empty(0, np.int32)] * len(frames)
         for frame, description in zip(seen, described, strict=True):
-            points[frame] = description.points
+            points[frame], nearest[frame] = description.points, description.nearest
         seen_only = self.look_at(z)
         return Look(
             frames,
             points,
+            nearest,
             *(_spread(rows, seen, len(frames)) for rows in (z, seen_only.activations, seen_only.x)),
         )
 
     def look_at(self, z: Array) -> Look:
         """Estimate poses from descriptors ``z (F, d)``, without masks."""
-        return Look([], [], z, self.regressor.activations(z), self.regressor.predict(z))
+        return Look([], [], [], z, self.regressor.activations(z), self.regressor.predict(z))
 
     def _descriptor(self) -> ShapeContextHistogram:
         if self.descriptor is None:

@@ -170,7 +170,9 @@ def _record(
     length = int(np.ceil(len(take) / len(kinds)))
     frames = np.arange(len(take))
     masks = [
-        degrade(mask, kinds[f // length], f % length / length, np.random.default_rng(f // length))
+        degrade(
+            mask, kinds[int(f) // length], f % length / length, np.random.default_rng(f // length)
+        )
         for f, mask in zip(frames, masks_of(take, run), strict=True)
     ]
     series = {n: data.space.distance(take.x, eye.estimate(masks)) for n, eye in eyes.items()}
@@ -200,9 +202,9 @@ def _figure(
     seed: int,
 ) -> None:
     kinds = list(next(iter(lost.values())))
-    columns = 3
-    figure = Figure(figsize=(12, 1.2 + 3.0 * np.ceil(len(kinds) / columns)), layout="constrained")
-    grid = figure.subplots(int(np.ceil(len(kinds) / columns)), columns, squeeze=False, sharey=True)
+    rows_of_axes = int(np.ceil(len(kinds) / 3))
+    figure = Figure(figsize=(12, 1.4 + 3.0 * rows_of_axes), layout="constrained")
+    grid = figure.subplots(rows_of_axes, 3, squeeze=False, sharey=True)
     highest = max(nothing, *(float(str(row["error"])) for row in rows))
     for axes, kind in zip(grid.ravel(), kinds, strict=False):
         for name, error in errors.items():
@@ -210,21 +212,28 @@ def _figure(
             damages = [0.0, *(100 * float(str(row["damage"])) for row in own)]
             curve = [error, *(float(str(row["error"])) for row in own)]
             style = ".--" if name.endswith(TAUGHT) else ".-"
-            label = f"{name.replace('_', ' ')}: {lost[name][kind]:.0%} lost"
-            axes.plot(
-                damages, curve, style, color=COLOURS[name.removesuffix(TAUGHT)], lw=1.2, label=label
-            )
-        axes.axhline(nothing, color="gray", ls="-.", lw=1)
+            colour = COLOURS[name.removesuffix(TAUGHT)]
+            label = name.replace("_", " ")
+            axes.plot(damages, curve, style, color=colour, lw=1.2, label=label)
+        for k, (name, colour) in enumerate(COLOURS.items()):
+            whole_taught, damaged_taught = lost[name][kind], lost[name + TAUGHT][kind]
+            told = f"{whole_taught:.0%} lost, {damaged_taught:.0%} if taught damaged"
+            axes.text(
+                0.98, 0.17 - 0.07 * k, told, color=colour, fontsize=8, ha="right",
+                transform=axes.transAxes,
+            )  # fmt: skip
+        axes.axhline(nothing, color="gray", ls="-.", lw=1, label="mean pose")
         axes.axvline(100 * damage, color="gray", ls=":", lw=1)
         axes.set(ylim=(0, 1.6 * highest), title=kind.replace("_", " "))
-        axes.legend(fontsize=6, loc="lower right")
         _samples(axes, whole[len(whole) // 3], kind, seed)
     for axes in grid.ravel()[len(kinds) :]:
         axes.axis("off")
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
     figure.supxlabel("contour lost or false, %", fontsize=10)
-    figure.supylabel(f"{unit}  (grey: the mean pose)", fontsize=10)
+    figure.supylabel(unit, fontsize=10)
     figure.suptitle(
-        f"damaged silhouettes test; share of the gain lost where {damage:.0%} of the contour is damaged",
+        f"share of the gain over the mean pose that is lost where {damage:.0%} of the contour is "
+        "lost or false",
         fontsize=11,
     )
     figure.savefig(path, dpi=110, format="png")

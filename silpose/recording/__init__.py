@@ -1,5 +1,7 @@
 """Recordings: the only room that knows Rerun."""
 
+from silpose.recording.codebook import codebook_picture
+from silpose.recording.context_space import ContextSpace, record_context_space
 from silpose.recording.notebook import show
 from silpose.recording.reasons import Reasons
 from silpose.recording.record import Truth, record_prediction, record_single_image
@@ -7,9 +9,12 @@ from silpose.recording.study import record_bridges, record_features, record_stud
 from silpose.recording.texts import texts
 
 __all__ = [
+    "ContextSpace",
     "Reasons",
     "Truth",
+    "codebook_picture",
     "record_bridges",
+    "record_context_space",
     "record_features",
     "record_prediction",
     "record_single_image",

@@ -9,12 +9,14 @@ import rerun.blueprint as rrb
 
 from silpose.recording import entities
 
+Window = tuple[float, float, float, float]  # left, right, top, bottom, pixels
+
 
 def single_image(
     shown: Sequence[str],
     frames_per_second: float,
     metric: str,
-    masks: bool = True,
+    window: Window | None = None,
     reasons: bool = False,
 ) -> rrb.Blueprint:
     """Lay out what a single-image regressor sees, answers, and how far off it is.
@@ -26,7 +28,9 @@ def single_image(
     frames_per_second : float
     metric : str
         Of the errors.
-    masks, reasons : bool
+    window : Window or None
+        Of the masks; None if there are no masks.
+    reasons : bool
         Whether there are any to show.
     """
     answered = rrb.Vertical(
@@ -38,10 +42,10 @@ def single_image(
         _series(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
         row_shares=[3.4, 1, 0.7, 1],
     )
-    return _layout([_seen(masks), answered, _texts(reasons)], [1, 1.9, 1], frames_per_second)
+    return _layout([_seen(window), answered, _texts(reasons)], [1.3, 1.7, 1], frames_per_second)
 
 
-def predict(frames_per_second: float) -> rrb.Blueprint:
+def predict(frames_per_second: float, window: Window) -> rrb.Blueprint:
     """Lay out poses estimated from masks whose truth nobody knows."""
     answered = rrb.Vertical(
         _body_view("estimated pose; left side light, right side dark"),
@@ -51,7 +55,7 @@ def predict(frames_per_second: float) -> rrb.Blueprint:
         ),
         row_shares=[3.4, 1, 0.7],
     )
-    return _layout([_seen(), answered, _texts()], [1, 1.9, 0.8], frames_per_second)
+    return _layout([_seen(window), answered, _texts()], [1.3, 1.7, 0.8], frames_per_second)
 
 
 def study(title: str, frames_per_second: float, masks: bool = False) -> rrb.Blueprint:
@@ -92,6 +96,16 @@ def features(parts: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
     return _layout([rrb.Grid(*views, grid_columns=3), _texts()], [2.6, 1], frames_per_second)
 
 
+def space(frames_per_second: float) -> rrb.Blueprint:
+    """Lay out a silhouette, where its edge points are among all contexts, and the codebook."""
+    plane = rrb.Spatial2DView(
+        origin=entities.SPACE, name="shape contexts: all (grey), centres, this silhouette's"
+    )
+    seen = rrb.Vertical(_mask_view(), _histogram(), row_shares=[2.2, 1])
+    told = rrb.Vertical(_codebook(), _texts(), row_shares=[1.3, 1])
+    return _layout([seen, plane, told], [1, 1.7, 1], frames_per_second)
+
+
 def _layout(
     columns: Sequence[rrb.Container | rrb.View], shares: Sequence[float], frames_per_second: float
 ) -> rrb.Blueprint:
@@ -107,19 +121,37 @@ def _layout(
     )
 
 
-def _seen(masks: bool = True) -> rrb.Container:
+def _seen(window: Window | None) -> rrb.Container:
     bars = [
-        _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
+        _histogram(),
         _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
     ]
-    if not masks:
+    if window is None:
         return rrb.Vertical(*bars)
-    return rrb.Vertical(_mask_view(), *bars, row_shares=[2.2, 1, 1])
+    above = rrb.Horizontal(
+        _mask_view("mask and edge points", window), _codebook(), column_shares=[1, 1.2]
+    )
+    return rrb.Vertical(above, *bars, row_shares=[1.8, 1, 1])
 
 
-def _mask_view(name: str = "silhouette: mask and edge points") -> rrb.Spatial2DView:
+def _histogram() -> rrb.BarChartView:
+    return _bars(entities.HISTOGRAM, "descriptor: % of votes for each centre")
+
+
+def _codebook() -> rrb.Spatial2DView:
+    return rrb.Spatial2DView(origin=entities.CODEBOOK, name="codebook, votes as bars")
+
+
+def _mask_view(
+    name: str = "mask, edge points by nearest centre", window: Window | None = None
+) -> rrb.Spatial2DView:
     return rrb.Spatial2DView(
-        origin=entities.CAMERA, contents=[entities.MASK, entities.EDGE_POINTS], name=name
+        origin=entities.CAMERA,
+        contents=[entities.MASK, entities.EDGE_POINTS],
+        name=name,
+        visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:])
+        if window
+        else None,
     )
 
 

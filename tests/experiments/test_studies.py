@@ -1,4 +1,4 @@
-"""The experiments behind Figs. 5 to 8, a few seconds of motion in small images."""
+"""The experiments behind Figs. 2, 3 and 5 to 8, and about the descriptor: a few seconds of motion in small images."""
 
 import csv
 import json
@@ -85,6 +85,74 @@ def test_regressors_stand_beside_each_other_by_part_and_basis(study):
             assert float(row["error"]) == pytest.approx(metrics[name]["mean_angular_error_deg"])
     svm = metrics["svm kernel"]["mean_angular_error_deg"]
     assert svm < metrics["mean_pose"]["mean_angular_error_deg"]
+
+
+RIDGE = ("regression.ridge.damping=0.1", "regression.basis.width=2")
+
+
+def test_descriptor_space_puts_every_centre_into_the_plane(study):
+    metrics, rows = study("descriptor_space", "contexts=500")
+    assert len(rows) == 40
+    assert 0.1 < metrics["codebook"]["variance_in_plane"] < 1
+
+
+def test_similarity_is_told_in_one_number_per_distance(study):
+    metrics, rows = study("similarity")
+    assert [row["distance"] for row in rows] == ["descriptors", "descriptors, Hellinger"]
+    assert all(row["frames"] == "45" for row in rows)
+    assert all(-1 <= values["rank_correlation"] <= 1 for values in metrics.values())
+
+
+def test_similarity_of_the_very_walk_of_the_figure(study, shared_mocap):
+    data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
+    metrics, rows = study("similarity", "dataset=agarwal", f"dataset.path={data}")
+    assert {row["frames"] for row in rows} == {"483"}
+    for values in metrics.values():
+        assert values["rank_correlation"] > 0.25
+        assert values["nearest_pairs"] < 0.35  # 0.5 is chance
+
+
+def test_robustness_is_measured_beside_the_alternatives(study):
+    metrics, rows = study(
+        "descriptor_robustness", "kinds=[frame_cut,holes]", "strengths=[0.2,0.8]", *RIDGE
+    )
+    descriptors = {row["descriptor"] for row in rows}
+    assert {"shape_contexts", "aligned_mask_pca", "hu_moments_taught_damaged"} <= descriptors
+    assert len(rows) == 6 * 2 * 2
+    for name in descriptors:
+        own = [row for row in rows if row["descriptor"] == name]
+        assert all(0 < float(row["damage"]) < 1 for row in own)
+        assert metrics[name]["gain_lost"] == pytest.approx(
+            (metrics[name]["gain_lost_frame_cut"] + metrics[name]["gain_lost_holes"]) / 2
+        )
+    weak, strong = (
+        float(row["error"])
+        for row in rows
+        if (row["descriptor"], row["kind"]) == ("shape_contexts", "frame_cut")
+    )
+    assert metrics["shape_contexts"]["whole_error"] < weak < strong
+
+
+def test_robustness_wants_known_kinds_and_masks(study, shared_mocap):
+    with pytest.raises(InputError, match="no degradation 'hole'"):
+        study("descriptor_robustness", "kinds=[hole]")
+    data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
+    with pytest.raises(InputError, match="descriptor_robustness wants masks"):
+        study("descriptor_robustness", "dataset=agarwal", f"dataset.path={data}")
+
+
+def test_choices_are_varied_one_at_a_time(study):
+    choices = "choices={codebook_size:[20,40],voters:[null,8],hellinger:[true,false]}"
+    metrics, rows = study("descriptor_choices", choices, "seeds=[0,1]", *RIDGE)
+    assert set(metrics) == {
+        *("usual", "mean_pose", "codebook_size=20", "voters=all", "hellinger=False")
+    }
+    assert len(rows) == 2 * 4
+    usual = [float(row["test_error"]) for row in rows if row["choice"] == "usual"]
+    assert metrics["usual"]["test_error"] == pytest.approx(sum(usual) / 2)
+    assert metrics["usual"]["test_error"] < metrics["mean_pose"]["test_error"]
+    with pytest.raises(InputError, match="the descriptor has no 'bins'"):
+        study("descriptor_choices", "choices={bins:[3]}")
 
 
 def test_the_authors_data_have_no_masks_and_need_none(study, shared_mocap):

@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 from rerun.chunk import RrdReader
 
+from silpose.descriptor import ShapeContextHistogram
 from silpose.recording import (
+    ContextSpace,
     entities,
     record_bridges,
+    record_context_space,
     record_features,
     record_study,
     texts,
@@ -20,14 +23,17 @@ from silpose.recording import (
 
 TEXTS = texts("a sequence", "seed: 0\n", {"rvm": {"error": 1.0}})
 PER_SOMETHING = (entities.ERROR, entities.FEATURES)  # one entity below each per method, per part
-ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {entities.REASONS}
+ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
+    entities.REASONS,
+    entities.SPACE,
+}
 
 
 @pytest.fixture(scope="module")
 def recordings(finished, sequence, tmp_path_factory):
     """One file of every kind of recording."""
     folder = tmp_path_factory.mktemp("kinds")
-    paths = [folder / f"{kind}.rrd" for kind in ("study", "bridges", "features")]
+    paths = [folder / f"{kind}.rrd" for kind in ("study", "bridges", "features", "space")]
     figure = folder / "figure.png"
     cv2.imwrite(str(figure), np.random.default_rng(0).integers(0, 255, (40, 60, 3)))
     errors = {"rvm": np.arange(5.0), "mean pose": np.arange(5.0)}
@@ -37,6 +43,15 @@ def recordings(finished, sequence, tmp_path_factory):
     points = [np.argwhere(mask)[:9, ::-1].astype(np.int32) for mask in sequence.masks]
     marked = {part: [np.arange(9) % 2 > k for _ in points] for k, part in enumerate(("arm", "leg"))}
     record_features(paths[2], "features", sequence.masks, points, marked, 15.0, TEXTS)
+    few = sequence.masks[:6]
+    descriptor = ShapeContextHistogram(codebook_size=9).fit(few)
+    described = descriptor.describe(few)
+    space = ContextSpace(
+        *(c[:, :2] for c in (described[0].contexts, descriptor.codebook_)),
+        [d.contexts[:, :2] for d in described],
+    )
+    codebook = descriptor.codebook_
+    record_context_space(paths[3], "space", few, described, space, codebook, 12, 15.0, TEXTS)
     return [finished.recording, *paths]
 
 
