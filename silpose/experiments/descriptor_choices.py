@@ -42,13 +42,17 @@ def descriptor_choices(
     rooms : Rooms
     run : Run
     choices : dict of str to list
-        Values of each of the descriptor's parameters, and of ``hellinger``.
+        Values of each of the descriptor's parameters, and of ``hellinger``; without any values
+        a parameter is left out.
     seeds : list of int
         Of the codebooks.
     """
     usual = {**rooms.descriptor.get_params(), HELLINGER: rooms.candidates.basis.hellinger}
     if unknown := [name for name in choices if name not in usual]:
         raise InputError(f"the descriptor has no '{unknown[0]}'; it has {', '.join(usual)}")
+    choices = {name: values for name, values in choices.items() if values}
+    if not choices or not seeds:
+        raise InputError("there is nothing to choose: name choices and seeds")
     with run.stage("masks"):
         data = rooms.dataset()
         for take in (*data.train, *data.validation, *data.test):

@@ -41,15 +41,13 @@ def codebook_picture(codebook: Array, angular_bins: int) -> NDArray[np.uint8]:
     places = np.where(inside, ring * angular_bins + sector, 0)
     columns = columns_of(len(codebook))
     rows = int(np.ceil(len(codebook) / columns))
-    picture = np.zeros((rows * _TILE, columns * _TILE, 3))
+    picture = np.full((rows * _TILE, columns * _TILE, 3), palette.BACKGROUND, float)
     for k, centre in enumerate(codebook):
         light = (centre / max(float(centre.max()), 1e-9))[places]
         colour = np.array(palette.hue(k, len(codebook)), dtype=float)
         tile = (0.14 + 0.86 * light[..., None]) * colour
-        corner = _TILE * np.array(divmod(k, columns))
-        picture[corner[0] : corner[0] + _TILE, corner[1] : corner[1] + _TILE] = np.where(
-            inside[..., None], tile, np.array(palette.BACKGROUND)
-        )
+        top, left = _TILE * np.array(divmod(k, columns))
+        picture[top : top + _TILE, left : left + _TILE][inside] = tile[inside]
     return picture.astype(np.uint8)
 
 
