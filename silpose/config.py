@@ -48,11 +48,11 @@ def load(overrides: Sequence[str] = ()) -> DictConfig:
     -------
     settings : DictConfig
     """
-    with initialize_config_dir(str(config_folder()), version_base="1.3", job_name="silpose"):
-        try:
+    try:
+        with initialize_config_dir(str(config_folder()), version_base="1.3", job_name="silpose"):
             settings = compose("config", overrides=list(overrides))
-        except HydraException as error:
-            raise InputError(explain(error)) from error
+    except HydraException as error:  # outside: to explain it, the settings are composed again
+        raise InputError(explain(error)) from error
     check_overrides(settings, overrides)
     return settings
 

@@ -40,6 +40,11 @@ def test_an_added_setting_is_refused_and_its_neighbour_named():
         load(["+motion.frame_per_second=3"])
 
 
+def test_a_misspelt_setting_is_refused_and_its_neighbour_named():
+    with pytest.raises(InputError, match=r"no setting 'motion\.secnds'; did you mean"):
+        load(["motion.secnds=3"])
+
+
 def test_a_wrong_name_or_type_is_named():
     def room(size: int = 1, names: list[str] | None = None, width: float | None = None) -> tuple:
         return size, names, width

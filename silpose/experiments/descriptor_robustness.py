@@ -96,9 +96,11 @@ def descriptor_robustness(
                 described, regressor = _learn(teacher, descriptor, rooms.candidates, name == OURS)
                 eyes[name + lesson] = Eye(descriptor, regressor)
                 if not metrics:
-                    _, metrics = compare(described, {OURS: regressor})
-    mean_pose = np.concatenate([take.x for take in data.train]).mean(axis=0)
-    nothing = float(data.space.distance(true, mean_pose[None]).mean())
+                    estimates, _ = compare(described, {})
+                    for baseline, estimated in estimates.items():
+                        off = data.space.distance(true, estimated[::every])
+                        metrics[baseline] = {"whole_error": float(off.mean())}
+    nothing = metrics["mean_pose"]["whole_error"]
     errors = {n: data.space.distance(true, eye.estimate(whole)).mean() for n, eye in eyes.items()}
     rows: Rows = []
     with run.stage("degradation"):
@@ -117,9 +119,8 @@ def descriptor_robustness(
                     )
     lost = {name: {kind: _lost_at(damage, rows, name, kind) for kind in kinds} for name in eyes}
     for name, error in errors.items():
-        metrics.setdefault(name, {})
-        metrics[name] |= {"whole_error": error, "mean_pose_error": nothing}
-        metrics[name]["gain_lost"] = float(np.mean(list(lost[name].values())))
+        gain_lost = float(np.mean(list(lost[name].values())))
+        metrics[name] = {"whole_error": error, "gain_lost": gain_lost}
         metrics[name] |= {f"gain_lost_{kind}": value for kind, value in lost[name].items()}
     unit = data.space.metrics[0].replace("_", " ")
     with run.writing("descriptor_robustness.png") as path:
@@ -229,7 +230,8 @@ def _figure(
     for axes in grid.ravel()[len(kinds) :]:
         axes.axis("off")
     figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-    figure.supxlabel("contour lost or false, %", fontsize=10)
+    for axes in grid[-1]:
+        axes.set_xlabel("contour lost or false, %")
     figure.supylabel(unit, fontsize=10)
     figure.suptitle(
         f"share of the gain over the mean pose that is lost where {damage:.0%} of the contour is "

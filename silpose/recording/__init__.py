@@ -1,6 +1,6 @@
 """Recordings: the only room that knows Rerun."""
 
-from silpose.recording.codebook import codebook_picture
+from silpose.recording.codebook_picture import codebook_picture
 from silpose.recording.context_space import ContextSpace, record_context_space
 from silpose.recording.notebook import show
 from silpose.recording.reasons import Reasons

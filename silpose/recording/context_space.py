@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from silpose.descriptor import Description
 from silpose.recording import blueprint, entities, palette
-from silpose.recording.codebook import log_codebook
+from silpose.recording.codebook_picture import log_codebook
 from silpose.recording.log import Track
 from silpose.recording.stream import recording_stream
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from silpose.dataset import Sequence as Take
 from silpose.pose import ANGLES, PoseSpace
 from silpose.recording import blueprint, entities, palette
-from silpose.recording.codebook import log_codebook
+from silpose.recording.codebook_picture import log_codebook
 from silpose.recording.log import Track
 from silpose.recording.reasons import Reasons, log_reasons
 from silpose.recording.stream import recording_stream

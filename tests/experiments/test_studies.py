@@ -125,6 +125,7 @@ def test_robustness_is_measured_beside_the_alternatives(study):
         assert metrics[name]["gain_lost"] == pytest.approx(
             (metrics[name]["gain_lost_frame_cut"] + metrics[name]["gain_lost_holes"]) / 2
         )
+    assert metrics["hu_moments"]["whole_error"] < metrics["mean_pose"]["whole_error"]
     weak, strong = (
         float(row["error"])
         for row in rows
