@@ -9,17 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
+from itertools import product
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sklearn.base import clone
 
 from silpose.dataset import Dataset, degraded
 from silpose.descriptor import AlignedMask, HuMoments
 from silpose.errors import InputError
+from silpose.experiments.robustness_figure import TAUGHT, Masks, Rows, robustness_figure
 from silpose.experiments.rooms import Descriptor, Rooms, describe, masks_of
 from silpose.experiments.training import Described, compare
 from silpose.recording import record_study, texts
@@ -28,12 +27,8 @@ from silpose.run import Run
 from silpose.silhouette import Degradation, contour_damage, degrade
 
 Array = NDArray[np.float64]
-Masks = list[NDArray[np.uint8]]
-Rows = list[dict[str, object]]
 
 OURS, REGRESSION = "shape_contexts", "ridge"
-COLOURS = {OURS: "tab:orange", "aligned_mask_pca": "tab:blue", "hu_moments": "tab:green"}
-TAUGHT = "_taught_damaged"  # added to a descriptor's name
 
 
 @dataclass(frozen=True)
@@ -84,39 +79,30 @@ def descriptor_robustness(
         data = rooms.dataset()
         whole = [mask for take in data.test for mask in masks_of(take, run)][::every]
         true = np.concatenate([take.x for take in data.test])[::every]
-    eyes: dict[str, Eye] = {}
-    metrics: dict[str, dict[str, float]] = {}
     with run.stage("regression"):
-        for lesson, teacher in (("", data), (TAUGHT, degraded(data, lessons))):
-            for name, descriptor in {
-                OURS: clone(rooms.descriptor),
-                "aligned_mask_pca": AlignedMask(random_state=rooms.seed),
-                "hu_moments": HuMoments(),
-            }.items():
-                described, regressor = _learn(teacher, descriptor, rooms.candidates, name == OURS)
-                eyes[name + lesson] = Eye(descriptor, regressor)
-                if not metrics:
-                    estimates, _ = compare(described, {})
-                    for baseline, estimated in estimates.items():
-                        off = data.space.distance(true, estimated[::every])
-                        metrics[baseline] = {"whole_error": float(off.mean())}
+        eyes, described = _teach(rooms, data, degraded(data, lessons))
+        estimates, _ = compare(described, {})
+    metrics = {
+        baseline: {"whole_error": float(data.space.distance(true, estimated[::every]).mean())}
+        for baseline, estimated in estimates.items()
+    }
     nothing = metrics["mean_pose"]["whole_error"]
-    errors = {n: data.space.distance(true, eye.estimate(whole)).mean() for n, eye in eyes.items()}
+    errors = {
+        name: float(data.space.distance(true, eye.estimate(whole)).mean())
+        for name, eye in eyes.items()
+    }
     rows: Rows = []
     with run.stage("degradation"):
-        for kind in kinds:
-            for strength in sorted(strengths):
-                damaged = _damage(whole, kind, strength, rooms.seed)
-                share = np.mean(
-                    [contour_damage(*pair) for pair in zip(whole, damaged, strict=True)]
+        for kind, strength in product(kinds, sorted(strengths)):
+            damaged = _damage(whole, kind, strength, rooms.seed)
+            share = np.mean([contour_damage(*pair) for pair in zip(whole, damaged, strict=True)])
+            for name, eye in eyes.items():
+                error = float(data.space.distance(true, eye.estimate(damaged)).mean())
+                rows.append(
+                    {"descriptor": name, "kind": kind, "strength": strength, "damage": float(share)}
+                    | {"error": error}
+                    | {"gain_lost": (error - errors[name]) / (nothing - errors[name])}
                 )
-                for name, eye in eyes.items():
-                    error = data.space.distance(true, eye.estimate(damaged)).mean()
-                    lost = (error - errors[name]) / (nothing - errors[name])
-                    rows.append(
-                        {"descriptor": name, "kind": kind, "strength": strength, "damage": share}
-                        | {"error": error, "gain_lost": lost}
-                    )
     lost = {name: {kind: _lost_at(damage, rows, name, kind) for kind in kinds} for name in eyes}
     for name, error in errors.items():
         gain_lost = float(np.mean(list(lost[name].values())))
@@ -124,11 +110,27 @@ def descriptor_robustness(
         metrics[name] |= {f"gain_lost_{kind}": value for kind, value in lost[name].items()}
     unit = data.space.metrics[0].replace("_", " ")
     with run.writing("descriptor_robustness.png") as path:
-        _figure(path, rows, errors, nothing, lost, damage, whole, unit, rooms.seed)
+        robustness_figure(path, rows, errors, nothing, lost, damage, whole, unit, rooms.seed)
     _record(rooms, run, data, eyes, kinds, metrics, unit)
     run.write_settings()
     run.write_results(rows)
     run.write_metrics(data.name, rooms.seed, metrics)
+
+
+def _teach(rooms: Rooms, whole: Dataset, damaged: Dataset) -> tuple[dict[str, Eye], Described]:
+    """Fit every descriptor and its regressor to either; describe whole silhouettes by ours."""
+    eyes: dict[str, Eye] = {}
+    ours: list[Described] = []
+    for lesson, data in (("", whole), (TAUGHT, damaged)):
+        for name, descriptor in {
+            OURS: clone(rooms.descriptor),
+            "aligned_mask_pca": AlignedMask(random_state=rooms.seed),
+            "hu_moments": HuMoments(),
+        }.items():
+            described, regressor = _learn(data, descriptor, rooms.candidates, name == OURS)
+            eyes[name + lesson] = Eye(descriptor, regressor)
+            ours.append(described)
+    return eyes, ours[0]
 
 
 def _learn(
@@ -189,68 +191,3 @@ def _record(
             texts(f"test sequence {take.name}: {told}", run.settings, metrics),
             masks,
         )
-
-
-def _figure(
-    path: Path,
-    rows: Rows,
-    errors: Mapping[str, float],
-    nothing: float,
-    lost: Mapping[str, Mapping[str, float]],
-    damage: float,
-    whole: Masks,
-    unit: str,
-    seed: int,
-) -> None:
-    kinds = list(next(iter(lost.values())))
-    rows_of_axes = int(np.ceil(len(kinds) / 3))
-    figure = Figure(figsize=(12, 1.4 + 3.0 * rows_of_axes), layout="constrained")
-    grid = figure.subplots(rows_of_axes, 3, squeeze=False, sharey=True)
-    highest = max(nothing, *(float(str(row["error"])) for row in rows))
-    for axes, kind in zip(grid.ravel(), kinds, strict=False):
-        for name, error in errors.items():
-            own = [row for row in rows if (row["descriptor"], row["kind"]) == (name, kind)]
-            damages = [0.0, *(100 * float(str(row["damage"])) for row in own)]
-            curve = [error, *(float(str(row["error"])) for row in own)]
-            style = ".--" if name.endswith(TAUGHT) else ".-"
-            colour = COLOURS[name.removesuffix(TAUGHT)]
-            label = name.replace("_", " ")
-            axes.plot(damages, curve, style, color=colour, lw=1.2, label=label)
-        for k, (name, colour) in enumerate(COLOURS.items()):
-            whole_taught, damaged_taught = lost[name][kind], lost[name + TAUGHT][kind]
-            told = f"{whole_taught:.0%} lost, {damaged_taught:.0%} if taught damaged"
-            axes.text(
-                0.98, 0.17 - 0.07 * k, told, color=colour, fontsize=8, ha="right",
-                transform=axes.transAxes,
-            )  # fmt: skip
-        axes.axhline(nothing, color="gray", ls="-.", lw=1, label="mean pose")
-        axes.axvline(100 * damage, color="gray", ls=":", lw=1)
-        axes.set(ylim=(0, 1.6 * highest), title=kind.replace("_", " "))
-        _samples(axes, whole[len(whole) // 3], kind, seed)
-    for axes in grid.ravel()[len(kinds) :]:
-        axes.axis("off")
-    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-    for axes in grid[-1]:
-        axes.set_xlabel("contour lost or false, %")
-    figure.supylabel(unit, fontsize=10)
-    figure.suptitle(
-        f"share of the gain over the mean pose that is lost where {damage:.0%} of the contour is "
-        "lost or false",
-        fontsize=11,
-    )
-    figure.savefig(path, dpi=110, format="png")
-
-
-def _samples(axes: Axes, mask: NDArray[np.uint8], kind: str, seed: int) -> None:
-    """Draw one silhouette along the top, at rising strength."""
-    left, right = np.flatnonzero(mask.any(axis=0))[[0, -1]]
-    margin = (right - left) // 2
-    window = slice(max(0, left - margin), right + margin)
-    for k, strength in enumerate((0.1, 0.4, 0.7, 1.0)):
-        degraded = degrade(mask, kind, strength, np.random.default_rng([seed, 1]))
-        inset = axes.inset_axes((0.03 + 0.24 * k, 0.62, 0.22, 0.37))
-        inset.imshow(
-            1 - 0.75 * degraded[:, window] - 0.12 * mask[:, window], cmap="gray", vmin=0, vmax=1
-        )
-        inset.text(0.5, 0.0, f"{strength:g}", fontsize=7, ha="center", transform=inset.transAxes)
-        inset.axis("off")
