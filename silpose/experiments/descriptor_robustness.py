@@ -178,7 +178,11 @@ def _record(
         )
         for f, mask in zip(frames, masks_of(take, run), strict=True)
     ]
-    series = {n: data.space.distance(take.x, eye.estimate(masks)) for n, eye in eyes.items()}
+    series = {
+        name: data.space.distance(take.x, eye.estimate(masks))
+        for name, eye in eyes.items()
+        if not name.endswith(TAUGHT)
+    }
     told = ", ".join(f"{kind} from frame {k * length}" for k, kind in enumerate(kinds))
     with run.writing("run.rrd") as path:
         record_study(
@@ -186,7 +190,7 @@ def _record(
             f"{run.experiment}/{run.name}",
             run.folder / "descriptor_robustness.png",
             series,
-            f"{unit}, the damage rising from nothing",
+            f"{unit}, taught by whole silhouettes, each damage rising from nothing",
             take.frames_per_second,
             texts(f"test sequence {take.name}: {told}", run.settings, metrics),
             masks,

@@ -18,7 +18,7 @@ _COLUMNS = {
     "gain_lost": ("gain lost", "{:.0%}"),
     "rank_correlation": ("rank correlation", "{:.2f}"),
     "rank_correlation_joints": ("with joints", "{:.2f}"),
-    "nearest_pairs": ("nearest pairs' pose rank", "{:.2f}"),
+    "nearest_pairs": ("nearest pairs", "{:.2f}"),
     "variance_in_plane": ("variance in the plane", "{:.0%}"),
     "centres_voted_for": ("centres voted for", "{:.0f}"),
     "validation_error": ("validation", "{:.2f}"),
