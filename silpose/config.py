@@ -10,7 +10,6 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field, make_dataclass
 from difflib import get_close_matches
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
 
 from hydra import compose, initialize_config_dir
@@ -18,6 +17,7 @@ from hydra.errors import HydraException, MissingConfigException
 from omegaconf import MISSING, DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
+from silpose.conf_folder import config_folder
 from silpose.errors import InputError
 
 if TYPE_CHECKING:
@@ -25,15 +25,6 @@ if TYPE_CHECKING:
     from silpose.experiments import Rooms
 
 T = TypeVar("T")
-
-
-def config_folder() -> Path:
-    """Find ``conf/``: inside an installed package, or beside it in a checkout."""
-    here = Path(__file__).resolve().parent
-    for folder in (here / "conf", here.parent / "conf"):
-        if (folder / "config.yaml").is_file():
-            return folder
-    raise InputError(f"the settings folder 'conf' is missing beside '{here}': install silpose anew")
 
 
 def load(overrides: Sequence[str] = ()) -> DictConfig:
@@ -181,7 +172,7 @@ def furnish(settings: DictConfig) -> Rooms:
     from silpose.dataset import AgarwalFile, SamePerformer, synthesise
     from silpose.descriptor import ShapeContextHistogram
     from silpose.experiments import OwnMasks, Rooms
-    from silpose.motion import BvhFolder, WalkerTakes
+    from silpose.motion import MotionFolder, WalkerTakes
     from silpose.regression import (
         BasisSettings,
         Candidates,
@@ -202,7 +193,7 @@ def furnish(settings: DictConfig) -> Rooms:
         "rvm": RvmSettings,
         "svm": SvmSettings,
     }
-    sources = {"walker": WalkerTakes, "bvh": BvhFolder}
+    sources = {"walker": WalkerTakes, "folder": MotionFolder}
     rooms_camera = build(Camera, camera, "silhouette.camera")
     source = choose(sources, plain["motion"], "motion")
     rooms_body = build(Body, body, "silhouette.body")
