@@ -8,6 +8,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import deepcopy
 from dataclasses import field, make_dataclass
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
@@ -169,9 +170,16 @@ def _in_words(hint: Any) -> str:
 
 def furnish(settings: DictConfig) -> Rooms:
     """Build every room from its settings."""
-    from silpose.dataset import AgarwalFile, SamePerformer, synthesise
+    from silpose.dataset import (
+        AgarwalFile,
+        CrossCamera,
+        CrossPerformer,
+        SamePerformer,
+        Scenes,
+        synthesise,
+    )
     from silpose.descriptor import ShapeContextHistogram
-    from silpose.experiments import OwnMasks, Rooms
+    from silpose.experiments import OwnMasks, Rooms, Shelf
     from silpose.motion import MotionFolder, WalkerTakes
     from silpose.regression import (
         BasisSettings,
@@ -186,7 +194,10 @@ def furnish(settings: DictConfig) -> Rooms:
     assert isinstance(plain, dict)
     seed = _typed("seed", int, plain["seed"])
     silhouette, regression = plain["silhouette"], plain["regression"]
+    keep = plain["dataset"].pop("keep", None)
+    shown = deepcopy([plain[n] for n in ("motion", "silhouette", "dataset", "descriptor", "seed")])
     body, camera = silhouette.pop("body"), silhouette.pop("camera")
+    scenes = build(Scenes, silhouette.pop("scenes"), "silhouette.scenes")
     parts = {
         "basis": BasisSettings,
         "ridge": RidgeSettings,
@@ -197,15 +208,24 @@ def furnish(settings: DictConfig) -> Rooms:
     rooms_camera = build(Camera, camera, "silhouette.camera")
     source = choose(sources, plain["motion"], "motion")
     rooms_body = build(Body, body, "silhouette.body")
-    datasets = {"same_performer": SamePerformer, "agarwal": AgarwalFile}
+    datasets = {
+        "same_performer": SamePerformer,
+        "cross_performer": CrossPerformer,
+        "cross_camera": CrossCamera,
+        "agarwal": AgarwalFile,
+    }
     chosen = choose(datasets, plain["dataset"], "dataset")
     name = f"{plain['dataset']['kind']}/{plain['motion']['kind']}"
 
     def dataset() -> Dataset:
         if isinstance(chosen, AgarwalFile):
             return chosen.dataset()
-        return synthesise(source.takes(), chosen, rooms_body, rooms_camera, name)
+        return synthesise(source.takes(), chosen, rooms_body, rooms_camera, name, scenes)
 
+    shelf = None
+    if keep is not None:
+        files = source.files() if isinstance(source, MotionFolder) else []
+        shelf = Shelf.of(keep, shown, files)
     return Rooms(
         dataset=dataset,
         camera=rooms_camera,
@@ -217,4 +237,5 @@ def furnish(settings: DictConfig) -> Rooms:
             **{n: build(kind, regression[n], f"regression.{n}") for n, kind in parts.items()}
         ),
         seed=seed,
+        shelf=shelf,
     )

@@ -18,6 +18,7 @@ CHOICES = sorted(
 )  # fmt: skip
 NEEDED = {
     "agarwal": ["dataset.path=somewhere"],
+    "amass": ["motion.root=somewhere"],
     "bvh": ["motion.root=somewhere"],
     "masks": ["silhouette.source=somewhere"],
 }

@@ -8,6 +8,7 @@ from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
 from silpose.experiments.rooms import OwnMasks, Rooms
+from silpose.experiments.shelf import Shelf
 from silpose.experiments.single_image import single_image
 
 EXPERIMENTS: dict[str, Callable[..., None]] = {
@@ -15,4 +16,4 @@ EXPERIMENTS: dict[str, Callable[..., None]] = {
     for experiment in (bridges, feature_selection, parts, predict, regressors, single_image)
 }
 
-__all__ = ["EXPERIMENTS", "OwnMasks", "Rooms"]
+__all__ = ["EXPERIMENTS", "OwnMasks", "Rooms", "Shelf"]

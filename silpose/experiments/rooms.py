@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from silpose.dataset import Dataset
-from silpose.dataset import Sequence as Take
 from silpose.descriptor import ShapeContextHistogram
-from silpose.progress import bar
+from silpose.experiments.shelf import Shelf
 from silpose.regression import Candidates
 from silpose.silhouette import Camera
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -59,25 +53,4 @@ class Rooms:
     descriptor: ShapeContextHistogram
     candidates: Candidates
     seed: int
-
-
-def learn_descriptor(rooms: Rooms, data: Dataset) -> ShapeContextHistogram | None:
-    """Fit the descriptor to the training masks; None where the data hold descriptors already."""
-    masks = [take.masks for take in data.train if take.masks is not None]
-    return rooms.descriptor.fit([mask for take in masks for mask in take]) if masks else None
-
-
-def describe(
-    descriptor: ShapeContextHistogram | None, takes: Sequence[Take]
-) -> list[tuple[Array, Array]]:
-    """Descriptors (F, d) and poses (F, D) of each take, with a progress bar."""
-    with bar("descriptors", sum(len(take) for take in takes)) as advance:
-        examples = []
-        for take in takes:
-            z = take.z
-            if take.masks is not None and descriptor is not None:
-                z = descriptor.transform(take.masks)
-            assert z is not None, "a sequence has masks or descriptors"
-            examples.append((z, take.x))
-            advance(len(take))
-    return examples
+    shelf: Shelf | None = None

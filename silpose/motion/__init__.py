@@ -1,6 +1,7 @@
 """Where poses come from: a statistical walker, or motion capture, put on our skeleton."""
 
 from silpose.motion.folder import MotionFolder
+from silpose.motion.mirror import mirrored
 from silpose.motion.paths import Circle, Path, Spiral, Straight
 from silpose.motion.save import save_bvh
 from silpose.motion.takes import WalkerTakes
@@ -10,5 +11,5 @@ from silpose.motion.walker_model import WalkerModel
 
 __all__ = [
     "Circle", "Motion", "MotionFolder", "Path", "Spiral", "Straight", "Walker", "WalkerModel",
-    "WalkerTakes", "save_bvh",
+    "WalkerTakes", "mirrored", "save_bvh",
 ]  # fmt: skip

@@ -24,6 +24,9 @@ Array = NDArray[np.float64]
 LARGEST = 1e6
 """Larger numbers, be they degrees or units of length, are damage."""
 
+SHORTEST = 1e-6
+"""Of a leg, in the file's unit."""
+
 SLOWEST, FASTEST = 1.0, 10_000.0
 """Frames per second between which a file's rate is believed."""
 
@@ -52,7 +55,8 @@ def bvh_take(file: Path, frames_per_second: float, names: Names) -> tuple[Array,
     zero = bvh[:1]
     zero.joint_angles = np.zeros_like(zero.joint_angles)
     whole = source_motion(bvh, joints)
-    if not 1e-6 < np.linalg.norm(whole.positions["left_hip"][0] - whole.positions["left_ankle"][0]):
+    leg = whole.positions["left_hip"][0] - whole.positions["left_ankle"][0]
+    if np.linalg.norm(leg) < SHORTEST:
         raise InputError(f"{file}: its legs have no length; export it with its skeleton's offsets")
     constants, dropped = find_rest(whole, source_motion(zero, joints), str(file))
     resampled = bvh[dropped:].resample(frames_per_second)

@@ -118,8 +118,8 @@ class MotionFolder:
             others = len(files) - 1
             also = f" (and none of the other {others} files can be used)" if others else ""
             raise InputError(f"{failed[0]}{'' if self.strict else also}")
-        for error in failed:
-            warnings.warn(f"left out {error}", stacklevel=2)
+        for reason in failed:
+            warnings.warn(f"left out {reason}", stacklevel=2)
         self._report_singularities(takes)
         return takes
 

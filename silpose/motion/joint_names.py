@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
-from os.path import commonprefix
 
 import yaml
 
@@ -51,7 +50,7 @@ def match_joints(found: Sequence[str], names: Names, file: str) -> dict[str, str
         If joints are missing; it lists them, and those that were found.
     """
     plain = [_plain(name) for name in found]
-    prefix = commonprefix(plain) if len(plain) > 1 else ""
+    prefix = _common_beginning(plain)
     by_name: dict[str, str] = {}
     for name, short in zip(found, plain, strict=True):
         by_name.setdefault(short.removeprefix(prefix), name)
@@ -69,6 +68,14 @@ def match_joints(found: Sequence[str], names: Names, file: str) -> dict[str, str
             f"have there, such as motion.joints.{missing[0]}=[NAME]"
         )
     return joints
+
+
+def _common_beginning(words: Sequence[str]) -> str:
+    if len(words) < 2:
+        return ""
+    first, last = min(words), max(words)
+    same = (k for k, (a, b) in enumerate(zip(first, last, strict=False)) if a != b)
+    return first[: next(same, len(first))]
 
 
 def _plain(name: str) -> str:

@@ -125,10 +125,10 @@ def _from_posture(rest: SourceMotion) -> dict[str, Array]:
         ours = facing
         if joint == "root":
             line = rest.direction("right_hip", "left_hip")[0]
-            ours = _smallest_rotation(facing[:, 0], line) @ facing
+            ours = smallest_rotation(facing[:, 0], line) @ facing
         elif joint in LIMBS and LIMBS[joint] in rest.positions:
             bone = facing @ np.array(skeleton.OFFSETS[LIMBS[joint]])
-            ours = _smallest_rotation(bone, rest.direction(joint, LIMBS[joint])[0]) @ facing
+            ours = smallest_rotation(bone, rest.direction(joint, LIMBS[joint])[0]) @ facing
         constants[joint] = rotation[0].T @ ours
     return constants
 
@@ -161,7 +161,7 @@ def _from_motion(motion: SourceMotion, file: str) -> dict[str, Array]:
         if joint in constants and end in motion.positions:
             local = np.einsum("fji,fj->fi", motion.rotations[joint], motion.direction(joint, end))
             bone = constants[joint] @ np.array(skeleton.OFFSETS[end])
-            constants[joint] = _smallest_rotation(bone, local.mean(axis=0)) @ constants[joint]
+            constants[joint] = smallest_rotation(bone, local.mean(axis=0)) @ constants[joint]
     return constants
 
 
@@ -181,9 +181,9 @@ def _hinged(
     There their plane is clearest. A limb that never bends is taken to be swung from the zero pose
     the shortest way.
     """
-    bones = [motion.direction(upper, lower), motion.direction(lower, LIMBS[lower])]
-    axis = np.cross(*bones)
-    flexion = np.rad2deg(np.arctan2(np.linalg.norm(axis, axis=1), np.sum(np.prod(bones, 0), 1)))
+    bones = motion.direction(upper, lower), motion.direction(lower, LIMBS[lower])
+    axis = np.cross(bones[0], bones[1])
+    flexion = np.rad2deg(np.arctan2(np.linalg.norm(axis, axis=1), np.sum(bones[0] * bones[1], 1)))
     bent = (flexion >= np.quantile(flexion, 0.75)) & (flexion > BENT)
     seen = {}
     for joint, bone in zip((upper, lower), bones, strict=True):
@@ -192,7 +192,7 @@ def _hinged(
             seen[joint] = _frame(bone, axis) @ _frame(ours[None], hinge[None])[0].T
             seen[joint][~bent] = np.nan
         else:
-            turns = [_smallest_rotation(f @ ours, b) for f, b in zip(facing, bone, strict=True)]
+            turns = [smallest_rotation(f @ ours, b) for f, b in zip(facing, bone, strict=True)]
             seen[joint] = np.array(turns) @ facing
     return seen
 
@@ -212,7 +212,7 @@ def _constant(rotations: Array, orientations: Array) -> Array:
     return Rotation.from_matrix(turns).mean().as_matrix()
 
 
-def _smallest_rotation(start: Array, end: Array) -> Array:
+def smallest_rotation(start: Array, end: Array) -> Array:
     """Rotation about the normal of two vectors that turns the first into the second's direction."""
     start, end = start / np.linalg.norm(start), end / np.linalg.norm(end)
     axis = np.cross(start, end)

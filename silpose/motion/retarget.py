@@ -49,11 +49,11 @@ def retarget(
             scale * motion.positions[other],
             frames_per_second,
         )
-    rotations = _local(orientations)
+    rotations = local_rotations(orientations)
     return skeleton.angles_from_rotations(rotations), _root_position(scale, motion, rotations)
 
 
-def _local(orientations: dict[str, Array]) -> Array:
+def local_rotations(orientations: Mapping[str, Array]) -> Array:
     """Each joint's rotation relative to its parent, shape (F, 18, 3, 3)."""
     return np.stack(
         [

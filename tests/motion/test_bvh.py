@@ -119,7 +119,8 @@ def test_spellings_do_not_matter(tmp_path, small_bvh, naming):
     plain = small_bvh().names | {"left_hip": "LeftThigh", "right_hip": "RightThigh",
                      "left_knee": "LeftCalf", "right_knee": "RightCalf",
                      "left_collar": "LeftClavicle", "right_collar": "RightClavicle",
-                     "left_shoulder": "LeftUpperArm", "right_shoulder": "RightUpperArm"}  # fmt: skip
+                     "left_shoulder": "LeftUpperArm",
+                     "right_shoulder": "RightUpperArm"}  # fmt: skip
     pose = [{"left_hip": (0, 0, -20), "right_elbow": (0, 30, 0)}] * 3
     small_bvh(pose, names={k: naming(v) for k, v in plain.items()}).write(tmp_path / "a.bvh")
     small_bvh(pose).write(tmp_path / "b.bvh")

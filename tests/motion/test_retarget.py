@@ -107,7 +107,9 @@ def test_without_a_rest_pose_bending_tells_the_hinges(tmp_path, small_bvh):
     forward = {
         f"{side}_{j}": (0, 0, 0.26) for side in ("left", "right") for j in ("elbow", "wrist")
     }
-    forward |= {f"{side}_{j}": (0, -0.4, 0) for side in ("left", "right") for j in ("knee", "ankle")}
+    forward |= {
+        f"{side}_{j}": (0, -0.4, 0) for side in ("left", "right") for j in ("knee", "ankle")
+    }
     plain = small_bvh(walk, offsets={k: v for k, v in forward.items() if v[1]})
     plain.write(tmp_path / "plain" / "a.bvh")
     odd = small_bvh(
