@@ -22,7 +22,6 @@ from silpose.conf_folder import config_folder
 from silpose.errors import InputError
 
 if TYPE_CHECKING:
-    from silpose.dataset import Dataset
     from silpose.experiments import Rooms
 
 T = TypeVar("T")
@@ -176,7 +175,7 @@ def furnish(settings: DictConfig) -> Rooms:
         CrossPerformer,
         SamePerformer,
         Scenes,
-        synthesise,
+        Studio,
     )
     from silpose.descriptor import ShapeContextHistogram
     from silpose.experiments import OwnMasks, Rooms, Shelf
@@ -217,17 +216,16 @@ def furnish(settings: DictConfig) -> Rooms:
     chosen = choose(datasets, plain["dataset"], "dataset")
     name = f"{plain['dataset']['kind']}/{plain['motion']['kind']}"
 
-    def dataset() -> Dataset:
-        if isinstance(chosen, AgarwalFile):
-            return chosen.dataset()
-        return synthesise(source.takes(), chosen, rooms_body, rooms_camera, name, scenes)
-
+    studio = None
+    if not isinstance(chosen, AgarwalFile):
+        studio = Studio(source, chosen, rooms_body, rooms_camera, scenes, name)
     shelf = None
     if keep is not None:
         files = source.files() if isinstance(source, MotionFolder) else []
         shelf = Shelf.of(keep, shown, files)
     return Rooms(
-        dataset=dataset,
+        dataset=studio.dataset if studio else chosen.dataset,
+        studio=studio,
         camera=rooms_camera,
         own_masks=build(OwnMasks, silhouette, "silhouette"),
         descriptor=choose(

@@ -5,8 +5,9 @@ from silpose.dataset.cross_camera import CrossCamera
 from silpose.dataset.cross_performer import CrossPerformer
 from silpose.dataset.photographs import Photographs
 from silpose.dataset.same_performer import SamePerformer, Split
-from silpose.dataset.scenes import Scenes
+from silpose.dataset.scenes import Scenes, Shot
 from silpose.dataset.sequence import Dataset, Sequence, poses
+from silpose.dataset.studio import Studio
 from silpose.dataset.synthesis import photograph, synthesise
 
 __all__ = [
@@ -18,7 +19,9 @@ __all__ = [
     "SamePerformer",
     "Scenes",
     "Sequence",
+    "Shot",
     "Split",
+    "Studio",
     "photograph",
     "poses",
     "synthesise",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from silpose.dataset import Dataset
+from silpose.dataset import Dataset, Studio
 from silpose.descriptor import ShapeContextHistogram
 from silpose.experiments.shelf import Shelf
 from silpose.regression import Candidates
@@ -38,6 +38,8 @@ class Rooms:
     ----------
     dataset : callable
         Gives the `Dataset`: photographs motion, or reads a file.
+    studio : Studio or None
+        Where motion is photographed; None where a file is read.
     camera : Camera
     own_masks : OwnMasks
     descriptor : ShapeContextHistogram
@@ -48,6 +50,7 @@ class Rooms:
     """
 
     dataset: Callable[[], Dataset]
+    studio: Studio | None
     camera: Camera
     own_masks: OwnMasks
     descriptor: ShapeContextHistogram

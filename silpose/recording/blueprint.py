@@ -54,13 +54,13 @@ def predict(frames_per_second: float) -> rrb.Blueprint:
     return _layout([_seen(), answered, _texts()], [1, 1.9, 0.8], frames_per_second)
 
 
-def study(title: str, frames_per_second: float) -> rrb.Blueprint:
-    """Lay out a figure, and the errors behind it over time."""
-    shown = rrb.Vertical(
-        rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
-        _series(title, [f"{entities.ERROR}/**"]),
-        row_shares=[1.6, 1],
-    )
+def study(title: str | None, frames_per_second: float) -> rrb.Blueprint:
+    """Lay out a figure and, where they have a title, the errors behind it over time."""
+    figure = rrb.Spatial2DView(origin=entities.FIGURE, name="figure")
+    if title is None:
+        return _layout([figure, _texts()], [2.4, 1], frames_per_second)
+    errors = _series(title, [f"{entities.ERROR}/**"])
+    shown = rrb.Vertical(figure, errors, row_shares=[1.6, 1])
     return _layout([shown, _texts()], [2.4, 1], frames_per_second)
 
 

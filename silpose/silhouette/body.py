@@ -18,6 +18,7 @@ from silpose.skeleton import JOINTS, spine_thirds
 Array = NDArray[np.float32]
 
 KINDS = ("convex", "wooden")
+LEVELS = (0, 1, 2)
 
 # SMPL-X body joints 1 to 21, by our joints; the three spine joints share the chest's rotation
 # and the toes (None) stay at rest.
@@ -47,7 +48,7 @@ class Body:
     ) -> None:
         if kind not in KINDS:
             raise InputError(f"there is no body '{kind}'; choose one of {', '.join(KINDS)}")
-        if level not in (0, 1, 2):
+        if level not in LEVELS:
             raise InputError(f"the body's level of detail is 0, 1 or 2, not {level}")
         coefficients = None if shape is None else np.asarray(shape, dtype=np.float32)
         if coefficients is not None and coefficients.shape != (10,):
