@@ -1,14 +1,15 @@
 import inspect
+from functools import partial
 from itertools import product
 
 import pytest
 from omegaconf import OmegaConf
 
 from silpose.config import build, config_folder, load
-from silpose.dataset import SamePerformer
+from silpose.dataset import CrossCamera, CrossPerformer, SamePerformer, Scenes
 from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
-from silpose.motion import WalkerTakes
+from silpose.motion import MotionFolder, WalkerTakes
 from silpose.regression import BasisSettings, RidgeSettings, RvmSettings
 from silpose.silhouette import Body, Camera
 
@@ -63,7 +64,19 @@ def test_what_must_be_given_is_asked_for():
 
 def test_conf_holds_the_constructors_own_defaults():
     plain = OmegaConf.to_container(load(), resolve=True)
+    cross_performer, cross_camera, folder = (
+        OmegaConf.to_container(load(choice), resolve=True)
+        for choice in (
+            ["dataset=cross_performer"],
+            ["dataset=cross_camera"],
+            ["motion=bvh", "motion.root=somewhere"],
+        )
+    )
     pairs = [
+        (Scenes, plain["silhouette"]["scenes"]),
+        (CrossPerformer, cross_performer["dataset"]),
+        (CrossCamera, cross_camera["dataset"]),
+        (partial(MotionFolder, "somewhere"), folder["motion"]),
         (WalkerTakes, plain["motion"]),
         (Camera, plain["silhouette"]["camera"]),
         (Body, plain["silhouette"]["body"]),
@@ -78,4 +91,5 @@ def test_conf_holds_the_constructors_own_defaults():
         for name, value in settings.items():
             if name in parameters:
                 own = getattr(made, name, parameters[name].default)
-                assert own == value or list(own) == value, f"{constructor.__name__}.{name}"
+                same = own == value or str(own) == value or list(own) == value
+                assert same, f"{type(made).__name__}.{name}"

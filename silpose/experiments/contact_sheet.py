@@ -91,7 +91,7 @@ def _figure(
             axes.imshow(1 - mask, cmap="gray", vmin=-0.15, vmax=1)
             height, width = mask.shape
             axes.set(xticks=[], yticks=[], xlim=(0.22 * width, 0.78 * width))
-            axes.set_ylim(0.92 * height, 0.08 * height)
+            axes.set_ylim(0.97 * height, 0.05 * height)
             axes.spines[:].set_color("#c8ccd0")
         line[0].set_ylabel(text, fontsize=8, rotation=0, ha="right", va="center")
     for axes, text in zip(grid[0], columns, strict=True):

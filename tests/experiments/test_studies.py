@@ -10,6 +10,7 @@ from rerun.chunk import RrdReader
 from silpose.app import run_experiment
 from silpose.config import load
 from silpose.errors import InputError
+from silpose.motion import WalkerTakes, save_bvh
 
 SMALL = (
     "motion.seconds=3",
@@ -26,10 +27,13 @@ def study(tmp_path):
 
     def run(name, *overrides):
         root = f"recording.root={tmp_path}"
-        run_experiment(load([f"experiment={name}", *SMALL, root, *overrides]))
+        small = SMALL if "motion=bvh" not in overrides else SMALL[2:]
+        run_experiment(load([f"experiment={name}", *small, root, *overrides]))
         folder = tmp_path / name / "001"
-        with (folder / "results.csv").open() as file:
-            rows = list(csv.DictReader(file))
+        rows = []
+        if (folder / "results.csv").exists():
+            with (folder / "results.csv").open() as file:
+                rows = list(csv.DictReader(file))
         assert cv2.imread(str(folder / f"{name}.png")).std() > 10
         assert len(list(RrdReader(folder / "run.rrd").stream())) > 5
         return json.loads((folder / "metrics.json").read_text())["metrics"], rows
@@ -85,6 +89,76 @@ def test_regressors_stand_beside_each_other_by_part_and_basis(study):
             assert float(row["error"]) == pytest.approx(metrics[name]["mean_angular_error_deg"])
     svm = metrics["svm kernel"]["mean_angular_error_deg"]
     assert svm < metrics["mean_pose"]["mean_angular_error_deg"]
+
+
+def test_contact_sheet_has_a_row_for_every_body_and_a_column_for_every_camera(study):
+    small, _ = study("contact_sheet", "cameras=2", "bodies=1")
+    assert small == {}
+
+
+def test_lookalikes_overlap_but_differ(study):
+    metrics, _ = study("lookalikes", "overlap=0.8", "frames=200", "pairs=2")
+    assert len(metrics) == 2
+    for values in metrics.values():
+        assert values["overlap"] >= 0.8
+        assert values["mean_angular_error_deg"] > 4
+
+
+def test_lookalikes_may_not_exist(study):
+    with pytest.raises(InputError, match="lower overlap"):
+        study("lookalikes", "overlap=0.9999", "frames=40")
+
+
+@pytest.fixture(scope="module")
+def three_walkers(tmp_path_factory):
+    """A folder of BVH files by three performers, 00 to 02."""
+    folder = tmp_path_factory.mktemp("walkers")
+    for k, take in enumerate(WalkerTakes(seconds=3, test_seconds=3).takes()[:6]):
+        save_bvh(folder / f"0{k % 3}_{k}.bvh", take)
+    return folder
+
+
+def test_training_data_compares_on_the_same_strangers(study, three_walkers):
+    metrics, rows = study(
+        "training_data",
+        "motion=bvh",
+        f"motion.root={three_walkers}",
+        "dataset.test=['02']",
+        "frames=[60]",
+        "seeds=[0,1]",
+        "methods=[ridge]",
+        "regression.basis.width=4",
+    )
+    assert len(rows) == 2 * 3 * 2 * 5  # seeds, varieties, tests, methods
+    assert len(metrics) == 3 * 5
+    own = [
+        float(row["mean_angular_error_deg"])
+        for row in rows
+        if (row["training"], row["method"], row["test"]) == ("one_body", "ridge", "one camera")
+    ]
+    assert len(own) == 2
+    mean = metrics["ridge, one_body, 60"]["mean_angular_error_deg"]
+    assert mean == pytest.approx(sum(own) / 2)
+
+
+def test_cross_performer_keeps_its_descriptors(study, three_walkers, tmp_path, monkeypatch):
+    settings = (
+        "motion=bvh",
+        f"motion.root={three_walkers}",
+        "dataset=cross_performer",
+        "dataset.test=['02']",
+        f"dataset.keep={tmp_path / 'kept'}",
+        "silhouette.scenes.frames=200",
+        "silhouette/scenes=wide",
+        "methods=[ridge]",
+        "show=ridge",
+        "regression.basis.width=4",
+    )
+    first, _ = study("single_image", *settings)
+    monkeypatch.setattr("silpose.experiments.training.describe", None)  # which is not needed again
+    again, _ = study("single_image", *settings, "recording.name=001")
+    assert again == first
+    assert len(list((tmp_path / "kept").iterdir())) == 1
 
 
 def test_the_authors_data_have_no_masks_and_need_none(study, shared_mocap):
