@@ -15,9 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
-from silpose.pose import SPACES, PoseSpace
+from silpose.motion import Motion, save_bvh
+from silpose.pose import SPACES, AnglePoseSpace, PoseSpace
 from silpose.regression import REGRESSORS, Regressor
 from silpose.silhouette import read_masks
+from silpose.skeleton import standing_height
 
 Array = NDArray[np.float64]
 Masks = NDArray[Any] | Sequence[ArrayLike]
@@ -57,6 +59,16 @@ class Poses:
     def heading_norm(self) -> Array:
         """Norm of the estimated (cos, sin): below 1 where the estimate doubts, shape (F,)."""
         return self.space.heading_norm(self.x)
+
+    def save_bvh(self, file: str | Path, frames_per_second: float) -> None:
+        """Write the poses as BVH, standing on one spot; a frame of NaN repeats the one before."""
+        if not isinstance(self.space, AnglePoseSpace):
+            raise InputError("these poses are joint positions, which BVH does not hold")
+        known = np.nan_to_num(self.x)
+        root = np.zeros((len(self), 3))
+        root[:, 1] = standing_height(self.space.rotations(known))
+        angles = self.space.angles(self.x)
+        save_bvh(file, Motion("poses", "unknown", frames_per_second, angles, root))
 
 
 @dataclass(frozen=True)

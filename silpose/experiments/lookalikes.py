@@ -69,7 +69,7 @@ def lookalikes(rooms: Rooms, run: Run, pairs: int, overlap: float, frames: int) 
     with run.stage("search"):
         seen = Frames.sample(data, frames)
         small = _small_overlaps(seen.masks)
-        far = np.stack([data.space.distance(seen.x, x) for x in seen.x])
+        far = data.space.pairwise(seen.x, seen.x)
         found = _most_different(seen, small, far, pairs, overlap)
         if not found:
             raise InputError(f"no two silhouettes overlap by {overlap}: lower overlap")

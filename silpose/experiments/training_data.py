@@ -90,6 +90,7 @@ def training_data(
                     ]
                     if name == STRANGE and trial.frames == max(frames):
                         series[trial.variety] = errors[methods[0]]
+            run.write_results(rows)  # a long run can be looked at before it ends
             advance(1)
     metrics = _summary(rows)
     with run.writing("training_data.png") as path:
@@ -105,7 +106,6 @@ def training_data(
             texts("error by training data, frames of it, and method", run.settings, metrics),
         )
     run.write_settings()
-    run.write_results(rows)
     run.write_metrics(trial.described.data.name, rooms.seed, metrics)
 
 
