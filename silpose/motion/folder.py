@@ -37,8 +37,7 @@ class MotionFolder:
         Whether a file that cannot be used is an error. Else it is left out with a warning, and
         only a folder without any usable file is an error.
     joints : mapping of str to sequence of str, optional
-        For each of our joints the names it may have in a BVH file; those in
-        ``conf/motion/joints/common.yaml`` if not given.
+        Names that our joints have in BVH files, in place of those in ``conf/joints.yaml``.
     """
 
     def __init__(
@@ -72,7 +71,11 @@ class MotionFolder:
         self.performer = performer
         self.formats = formats
         self.strict = strict
-        self.joints = common_names() if joints is None else joints
+        self.joints = joints or {}
+        if strange := sorted(set(self.joints) - set(common_names())):
+            raise InputError(
+                f"motion.joints names '{strange[0]}'; our joints are {', '.join(common_names())}"
+            )
 
     def files(self) -> list[Path]:
         """List the files, sorted by name."""
@@ -125,7 +128,7 @@ class MotionFolder:
 
     def _take(self, file: Path, whole_name: bool) -> Motion:
         if file.suffix.lower() == ".bvh":
-            angles, position = bvh_take(file, self.frames_per_second, self.joints)
+            angles, position = bvh_take(file, self.frames_per_second, self._names)
         else:
             angles, position = amass_take(file, self.frames_per_second)
         path = file.relative_to(self.root)
@@ -138,6 +141,10 @@ class MotionFolder:
             angles=angles,
             root_position=position,
         )
+
+    @property
+    def _names(self) -> Names:
+        return {**common_names(), **self.joints}
 
     def _report_singularities(self, takes: Sequence[Motion]) -> None:
         for take in takes:

@@ -21,8 +21,8 @@ OPTIONAL = (
 
 @cache
 def common_names() -> Names:
-    """Read the table in ``conf/motion/joints/common.yaml``: our joint, and names for it."""
-    table = config_folder() / "motion" / "joints" / "common.yaml"
+    """Read the table ``conf/joints.yaml``: our joint, and names for it."""
+    table = config_folder() / "joints.yaml"
     names: dict[str, list[str]] = yaml.safe_load(table.read_text(encoding="utf-8"))
     return names
 
@@ -65,7 +65,7 @@ def match_joints(found: Sequence[str], names: Names, file: str) -> dict[str, str
         wanted = ", ".join(f"{ours} ({' or '.join(names[ours][:3])} …)" for ours in missing)
         raise InputError(
             f"{file}: cannot find {wanted} among its joints {', '.join(found)}; add the names they "
-            f"have there, such as motion.joints.{missing[0]}=[NAME]"
+            f"have there, such as 'motion.joints={{{missing[0]}: [NAME]}}'"
         )
     return joints
 
