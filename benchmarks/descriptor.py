@@ -9,9 +9,9 @@ from timing import per_second, report
 
 from silpose.config import furnish, load
 from silpose.descriptor import ShapeContextHistogram
-from silpose.descriptor.boundary import boundary_pixels, spaced_indices
-from silpose.descriptor.codebook import soft_votes, squared_distances
+from silpose.descriptor.boundary import boundary_pixels, extent, spaced_indices
 from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
+from silpose.descriptor.voting import soft_votes
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "descriptor"))
 import reference
@@ -31,29 +31,26 @@ def rough_masks(count: int) -> list[np.ndarray]:
 def steps(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> dict[str, float]:
     """Masks a second through each step alone."""
     outlines = [boundary_pixels(mask) for mask in masks]
-    chosen = [p[spaced_indices(p, n, histogram.edge_points)] for p, n in outlines]
-    bounds = ring_bounds(40, 4, 5)
+    pixels = [p for p, _ in outlines]
+    points = [description.points for description in histogram.describe(masks)]
+    contexts = [description.contexts for description in histogram.describe(masks)]
+    reaches = [histogram.radius * extent(p) for p in pixels]
+    bounds = [ring_bounds(reach, histogram.inner_radius * reach, 5) for reach in reaches]
     sectors = sector_table(64, 12)
-    contexts = [
-        shape_contexts(p, points, bounds, sectors, 12)
-        for (p, _), points in zip(outlines, chosen, strict=True)
-    ]
-    distances = [squared_distances(c, histogram.codebook_) for c in contexts]
-    width = histogram.vote_width_
+    centres = np.ascontiguousarray(histogram.codebook_.T)
+    norms = (histogram.codebook_**2).sum(axis=1)
+    voters, width = histogram.voters, histogram.vote_width_
     work = {
-        "cv2.findContours alone": lambda: [
+        "cv2.findContours alone, the floor": lambda: [
             cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE) for mask in masks
         ],
-        "boundary": lambda: [boundary_pixels(mask) for mask in masks],
-        "edge points": lambda: [spaced_indices(p, n, len(chosen[0])) for p, n in outlines],
+        "boundary, with findContours": lambda: [boundary_pixels(mask) for mask in masks],
+        "edge points": lambda: [spaced_indices(p, n, 200, 0.0) for p, n in outlines],
         "shape contexts": lambda: [
-            shape_contexts(p, points, bounds, sectors, 12)
-            for (p, _), points in zip(outlines, chosen, strict=True)
+            shape_contexts(p, chosen, b, sectors, 12)
+            for p, chosen, b in zip(pixels, points, bounds, strict=True)
         ],
-        "distances to the codebook": lambda: [
-            squared_distances(c, histogram.codebook_) for c in contexts
-        ],
-        "soft votes": lambda: [soft_votes(d, histogram.voters, width) for d in distances],
+        "soft votes": lambda: [soft_votes(c, centres, norms, voters, width) for c in contexts],
     }
     return {name: per_second(call, len(masks)) for name, call in work.items()}
 
@@ -77,17 +74,28 @@ if __name__ == "__main__":
     masks = rough_masks(200)
     pixels = int(np.mean([len(boundary_pixels(mask)[0]) for mask in masks]))
     histogram = ShapeContextHistogram(n_jobs=1).fit(masks)
-    everywhere = ShapeContextHistogram(edge_points=pixels, n_jobs=1).fit(masks)
-    rates = {
-        "mask to z, 200 edge points": per_second(lambda: histogram.transform(masks), len(masks)),
-        f"mask to z, {pixels} edge points": per_second(
-            lambda: everywhere.transform(masks), len(masks)
-        ),
-        "the same in NumPy, 200 edge points": in_numpy(histogram, masks[:20]),
-        **{f"  {step}": rate for step, rate in steps(histogram, masks).items()},
-    }
+    everywhere = ShapeContextHistogram(edge_points=None, n_jobs=1).fit(masks)
+    everyone = ShapeContextHistogram(voters=None, n_jobs=1).fit(masks)
+    rates = {}
+    for name, one in {
+        "mask to z, 200 edge points": histogram,
+        f"mask to z, all {pixels} points": everywhere,
+        "mask to z, 200 points vote for all centres": everyone,
+    }.items():
+        rates[name] = per_second(lambda one=one: one.transform(masks), len(masks))
+        both = ShapeContextHistogram.from_state(one.state()).set_params(n_jobs=2)
+        many = masks * 5  # enough work for two
+        rates[f"{name}, two cores"] = per_second(
+            lambda both=both, many=many: both.transform(many), len(many)
+        )
+    rates["in NumPy, 200 edge points"] = in_numpy(histogram, masks[:40])
     report(
         f"{len(masks)} masks of 256 x 256, {pixels} boundary pixels on average, one core",
         ["what", "masks a second", "µs a mask"],
         [[name, f"{rate:,.0f}", f"{1e6 / rate:,.0f}"] for name, rate in rates.items()],
+    )
+    report(
+        "where the time goes, 200 edge points, each step alone",
+        ["step", "masks a second", "µs a mask"],
+        [[n, f"{r:,.0f}", f"{1e6 / r:,.0f}"] for n, r in steps(histogram, masks).items()],
     )

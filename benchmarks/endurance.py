@@ -10,14 +10,14 @@ import numpy as np
 from timing import report
 
 from silpose.config import furnish, load
-from silpose.experiments.rooms import describe, learn_descriptor
+from silpose.experiments.descriptors import examples, learn_descriptor
 from silpose.tracking import Tracker
 
 if __name__ == "__main__":
     steps = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
     rooms = furnish(load(["motion.seconds=6"]))
     data = rooms.dataset()
-    train = describe(learn_descriptor(rooms, data), data.train)
+    train = examples(learn_descriptor(rooms.descriptor, data.train), data.train)
     tracker = Tracker().fit(train)
     random = np.random.default_rng(0)
     tracemalloc.start()

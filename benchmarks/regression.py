@@ -18,7 +18,7 @@ from timing import report
 
 from silpose.config import furnish, load
 from silpose.dataset import AgarwalFile
-from silpose.experiments.rooms import describe, learn_descriptor
+from silpose.experiments.training import described
 from silpose.pose import ANGLES, PoseSpace
 from silpose.regression import Basis, RelevanceVectorRegressor, RidgeRegressor
 from silpose.regression.elimination import eliminate
@@ -32,10 +32,9 @@ def walkers() -> Data:
     """Photograph 2636 training frames of walkers, and their test sequence."""
     rooms = furnish(load(["motion.seconds=22"]))
     data = rooms.dataset()
-    histogram = learn_descriptor(rooms, data)
-    train, test = (describe(histogram, takes) for takes in (data.train, data.test))
-    z, x = (np.concatenate(part)[:COUNT] for part in zip(*train, strict=True))
-    return z, x, *test[0], ANGLES
+    ready = described(rooms, data)
+    z, x = (np.concatenate(part)[:COUNT] for part in zip(*ready.train, strict=True))
+    return z, x, *ready.test[0], ANGLES
 
 
 def authors(path: str) -> Data:

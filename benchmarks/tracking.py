@@ -8,7 +8,7 @@ from threadpoolctl import threadpool_limits
 from timing import report
 
 from silpose.config import furnish, load
-from silpose.experiments.rooms import describe, learn_descriptor
+from silpose.experiments.descriptors import examples, learn_descriptor
 from silpose.model import PoseModel
 from silpose.regression import RidgeRegressor
 from silpose.tracking import Tracker
@@ -16,8 +16,8 @@ from silpose.tracking import Tracker
 if __name__ == "__main__":
     rooms = furnish(load(["descriptor.n_jobs=1"]))
     data = rooms.dataset()
-    descriptor = learn_descriptor(rooms, data)
-    train = describe(descriptor, data.train)
+    descriptor = learn_descriptor(rooms.descriptor, data.train)
+    train = examples(descriptor, data.train)
     frames = sum(len(x) for _, x in train)
     cv2.setNumThreads(1)
     with threadpool_limits(1):

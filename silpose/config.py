@@ -8,9 +8,9 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import deepcopy
 from dataclasses import field, make_dataclass
 from difflib import get_close_matches
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, get_args, get_origin, get_type_hints
 
 from hydra import compose, initialize_config_dir
@@ -18,22 +18,13 @@ from hydra.errors import HydraException, MissingConfigException
 from omegaconf import MISSING, DictConfig, OmegaConf
 from omegaconf.errors import OmegaConfBaseException
 
+from silpose.conf_folder import config_folder
 from silpose.errors import InputError
 
 if TYPE_CHECKING:
-    from silpose.dataset import Dataset
     from silpose.experiments import Rooms
 
 T = TypeVar("T")
-
-
-def config_folder() -> Path:
-    """Find ``conf/``: inside an installed package, or beside it in a checkout."""
-    here = Path(__file__).resolve().parent
-    for folder in (here / "conf", here.parent / "conf"):
-        if (folder / "config.yaml").is_file():
-            return folder
-    raise InputError(f"the settings folder 'conf' is missing beside '{here}': install silpose anew")
 
 
 def load(overrides: Sequence[str] = ()) -> DictConfig:
@@ -48,11 +39,11 @@ def load(overrides: Sequence[str] = ()) -> DictConfig:
     -------
     settings : DictConfig
     """
-    with initialize_config_dir(str(config_folder()), version_base="1.3", job_name="silpose"):
-        try:
+    try:
+        with initialize_config_dir(str(config_folder()), version_base="1.3", job_name="silpose"):
             settings = compose("config", overrides=list(overrides))
-        except HydraException as error:
-            raise InputError(explain(error)) from error
+    except HydraException as error:  # outside: to explain it, the settings are composed again
+        raise InputError(explain(error)) from error
     check_overrides(settings, overrides)
     return settings
 
@@ -178,10 +169,17 @@ def _in_words(hint: Any) -> str:
 
 def furnish(settings: DictConfig) -> Rooms:
     """Build every room from its settings."""
-    from silpose.dataset import AgarwalFile, SamePerformer, synthesise
+    from silpose.dataset import (
+        AgarwalFile,
+        CrossCamera,
+        CrossPerformer,
+        SamePerformer,
+        Scenes,
+        Studio,
+    )
     from silpose.descriptor import ShapeContextHistogram
-    from silpose.experiments import OwnMasks, Rooms
-    from silpose.motion import BvhFolder, WalkerTakes
+    from silpose.experiments import OwnMasks, Rooms, Shelf
+    from silpose.motion import MotionFolder, WalkerTakes
     from silpose.regression import (
         BasisSettings,
         Candidates,
@@ -189,7 +187,7 @@ def furnish(settings: DictConfig) -> Rooms:
         RvmSettings,
         SvmSettings,
     )
-    from silpose.silhouette import Body, Camera
+    from silpose.silhouette import Body, Camera, Degradation
     from silpose.tracking import (
         DynamicsSettings,
         JointSettings,
@@ -202,7 +200,10 @@ def furnish(settings: DictConfig) -> Rooms:
     assert isinstance(plain, dict)
     seed = _typed("seed", int, plain["seed"])
     silhouette, regression = plain["silhouette"], plain["regression"]
+    keep = plain["dataset"].pop("keep", None)
+    shown = deepcopy([plain[n] for n in ("motion", "silhouette", "dataset", "descriptor", "seed")])
     body, camera = silhouette.pop("body"), silhouette.pop("camera")
+    scenes = build(Scenes, silhouette.pop("scenes"), "silhouette.scenes")
     parts = {
         "basis": BasisSettings,
         "ridge": RidgeSettings,
@@ -215,21 +216,30 @@ def furnish(settings: DictConfig) -> Rooms:
         "joint": JointSettings,
         "rivals": RivalSettings,
     }
-    sources = {"walker": WalkerTakes, "bvh": BvhFolder}
+    sources = {"walker": WalkerTakes, "folder": MotionFolder}
     rooms_camera = build(Camera, camera, "silhouette.camera")
     source = choose(sources, plain["motion"], "motion")
     rooms_body = build(Body, body, "silhouette.body")
-    datasets = {"same_performer": SamePerformer, "agarwal": AgarwalFile}
+    damage = build(Degradation, silhouette.pop("degradation"), "silhouette.degradation")
+    datasets = {
+        "same_performer": SamePerformer,
+        "cross_performer": CrossPerformer,
+        "cross_camera": CrossCamera,
+        "agarwal": AgarwalFile,
+    }
     chosen = choose(datasets, plain["dataset"], "dataset")
     name = f"{plain['dataset']['kind']}/{plain['motion']['kind']}"
 
-    def dataset() -> Dataset:
-        if isinstance(chosen, AgarwalFile):
-            return chosen.dataset()
-        return synthesise(source.takes(), chosen, rooms_body, rooms_camera, name)
-
+    studio = None
+    if not isinstance(chosen, AgarwalFile):
+        studio = Studio(source, chosen, rooms_body, rooms_camera, scenes, name, damage)
+    shelf = None
+    if keep is not None:
+        files = source.files() if isinstance(source, MotionFolder) else []
+        shelf = Shelf.of(keep, shown, files)
     return Rooms(
-        dataset=dataset,
+        dataset=studio.dataset if studio else chosen.dataset,
+        studio=studio,
         camera=rooms_camera,
         own_masks=build(OwnMasks, silhouette, "silhouette"),
         descriptor=choose(
@@ -242,4 +252,5 @@ def furnish(settings: DictConfig) -> Rooms:
             **{n: build(k, plain["tracking"][n], f"tracking.{n}") for n, k in tracking.items()}
         ),
         seed=seed,
+        shelf=shelf,
     )

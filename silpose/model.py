@@ -16,9 +16,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
-from silpose.pose import SPACES, PoseSpace
+from silpose.motion import Motion, save_bvh
+from silpose.pose import SPACES, AnglePoseSpace, PoseSpace
 from silpose.regression import REGRESSORS, Regressor
 from silpose.silhouette import read_masks
+from silpose.skeleton import standing_height
 from silpose.tracking import Track, Tracker
 
 Array = NDArray[np.float64]
@@ -60,6 +62,16 @@ class Poses:
         """Norm of the estimated (cos, sin): below 1 where the estimate doubts, shape (F,)."""
         return self.space.heading_norm(self.x)
 
+    def save_bvh(self, file: str | Path, frames_per_second: float) -> None:
+        """Write the poses as BVH, standing on one spot; a frame of NaN repeats the one before."""
+        if not isinstance(self.space, AnglePoseSpace):
+            raise InputError("these poses are joint positions, which BVH does not hold")
+        known = np.nan_to_num(self.x)
+        root = np.zeros((len(self), 3))
+        root[:, 1] = standing_height(self.space.rotations(known))
+        angles = self.space.angles(self.x)
+        save_bvh(file, Motion("poses", "unknown", frames_per_second, angles, root))
+
 
 @dataclass(frozen=True)
 class Look:
@@ -71,6 +83,8 @@ class Look:
         Empty, as the points, where descriptors are all there is.
     points : list of ndarray, each (P, 2)
         Edge points, pixels; none for a blank mask.
+    nearest : list of ndarray of int, each (P,)
+        The codebook centre nearest to each.
     z : ndarray, shape (F, d)
         Descriptors; NaN for a blank mask, as the following.
     activations : ndarray, shape (F, k)
@@ -81,6 +95,7 @@ class Look:
 
     masks: list[NDArray[np.uint8]]
     points: list[NDArray[np.int32]]
+    nearest: list[NDArray[np.int32]]
     z: Array
     activations: Array
     x: Array
@@ -146,18 +161,20 @@ class PoseModel:
         described = self._descriptor().describe([frames[f] for f in seen])
         z = np.stack([d.z for d in described])
         points = [np.empty((0, 2), np.int32)] * len(frames)
+        nearest = [np.empty(0, np.int32)] * len(frames)
         for frame, description in zip(seen, described, strict=True):
-            points[frame] = description.points
+            points[frame], nearest[frame] = description.points, description.nearest
         seen_only = self.look_at(z)
         return Look(
             frames,
             points,
+            nearest,
             *(_spread(rows, seen, len(frames)) for rows in (z, seen_only.activations, seen_only.x)),
         )
 
     def look_at(self, z: Array) -> Look:
         """Estimate poses from descriptors ``z (F, d)``, without masks."""
-        return Look([], [], z, self.regressor.activations(z), self.regressor.predict(z))
+        return Look([], [], [], z, self.regressor.activations(z), self.regressor.predict(z))
 
     def track(
         self, masks: str | Path | Masks, lag: int = 0, frames_per_second: float | None = None

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.spatial.distance import cdist
 
 from silpose import skeleton
 
@@ -68,6 +69,11 @@ class PoseSpace(ABC):
     @abstractmethod
     def distance(self, x: ArrayLike, other: ArrayLike) -> Array:
         """Distance under the reported metric, shape (F,); the arguments broadcast."""
+
+    def pairwise(self, x: ArrayLike, other: ArrayLike) -> Array:
+        """Distance of every pose to every other one, shape (F, n)."""
+        other = np.asarray(other)
+        return np.stack([self.distance(row, other) for row in np.asarray(x)])
 
     @abstractmethod
     def part_distance(self, part: str, x: ArrayLike, other: ArrayLike) -> Array:
@@ -140,6 +146,16 @@ class AnglePoseSpace(PoseSpace):
     def distance(self, x: ArrayLike, other: ArrayLike) -> Array:
         """Mean absolute difference over the 54 angles, degrees: Eq. 6."""
         return self.angle_errors(x, other).mean(axis=-1)
+
+    def pairwise(self, x: ArrayLike, other: ArrayLike) -> Array:
+        """Distance of every pose to every other one, degrees, shape (F, n)."""
+        one, two = self.angles(x), self.angles(other)
+        lowest, highest = np.minimum(one.min(0), two.min(0)), np.maximum(one.max(0), two.max(0))
+        plain = highest - lowest <= 180.0  # no difference of these wraps, nearly all angles
+        total = cdist(one[:, plain], two[:, plain], "cityblock")
+        for a in np.flatnonzero(~plain):
+            total += np.abs(wrap_degrees(one[:, a, None] - two[:, a]))
+        return total / one.shape[1]
 
     def part_distance(self, part: str, x: ArrayLike, other: ArrayLike) -> Array:
         """Mean absolute difference over the part's angles, degrees."""

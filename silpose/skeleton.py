@@ -138,6 +138,27 @@ def angles_from_rotations(rotations: ArrayLike) -> Array:
     return angles.reshape(len(rotations), -1)
 
 
+NEAR_SINGULARITY = 80.0
+"""Degrees of a joint's middle angle; at 90 its first and last angle are not determined."""
+
+
+def near_singularity(angles: ArrayLike) -> dict[str, int]:
+    """Count the frames in which a joint comes near a singularity of its Euler order.
+
+    Parameters
+    ----------
+    angles : array-like, shape (F, 54)
+        Degrees.
+
+    Returns
+    -------
+    frames : dict of str to int
+        By joint, for those that do.
+    """
+    middle = np.abs(np.asarray(angles)[:, 1::3]) > NEAR_SINGULARITY
+    return {JOINTS[j]: int(middle[:, j].sum()) for j in np.flatnonzero(middle.any(axis=0))}
+
+
 def spine_thirds(chest: Array) -> Array:
     """Take a third of the chest's rotation, for each of the three spine joints.
 

@@ -27,6 +27,15 @@ _HEADLINES = {
     "widest_error": ("worst widths", "{:.2f}"),
     "locked_on": ("starts that lock on", "{:.0%}"),
     "within_20deg": ("heading within 20°", "{:.0%}"),
+    "whole_error": ("whole", "{:.2f}"),
+    "gain_lost": ("gain lost", "{:.0%}"),
+    "rank_correlation": ("rank correlation", "{:.2f}"),
+    "rank_correlation_joints": ("with joints", "{:.2f}"),
+    "nearest_pairs": ("nearest pairs", "{:.2f}"),
+    "variance_in_plane": ("variance in the plane", "{:.0%}"),
+    "centres_voted_for": ("centres voted for", "{:.0f}"),
+    "validation_error": ("validation", "{:.2f}"),
+    "test_error": ("test", "{:.2f}"),
 }
 
 

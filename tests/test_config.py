@@ -1,16 +1,17 @@
 import inspect
+from functools import partial
 from itertools import product
 
 import pytest
 from omegaconf import OmegaConf
 
 from silpose.config import build, config_folder, load
-from silpose.dataset import SamePerformer
+from silpose.dataset import CrossCamera, CrossPerformer, SamePerformer, Scenes
 from silpose.descriptor import ShapeContextHistogram
 from silpose.errors import InputError
-from silpose.motion import WalkerTakes
+from silpose.motion import MotionFolder, WalkerTakes
 from silpose.regression import BasisSettings, RidgeSettings, RvmSettings
-from silpose.silhouette import Body, Camera
+from silpose.silhouette import Body, Camera, Degradation
 
 CHOICES = sorted(
     (file.parent.name, file.stem)
@@ -18,6 +19,7 @@ CHOICES = sorted(
 )  # fmt: skip
 NEEDED = {
     "agarwal": ["dataset.path=somewhere"],
+    "amass": ["motion.root=somewhere"],
     "bvh": ["motion.root=somewhere"],
     "masks": ["silhouette.source=somewhere"],
 }
@@ -38,6 +40,11 @@ def test_every_pair_of_motion_and_silhouette_composes():
 def test_an_added_setting_is_refused_and_its_neighbour_named():
     with pytest.raises(InputError, match=r"no setting 'motion\.frame_per_second'.*did you mean"):
         load(["+motion.frame_per_second=3"])
+
+
+def test_a_misspelt_setting_is_refused_and_its_neighbour_named():
+    with pytest.raises(InputError, match=r"no setting 'motion\.secnds'; did you mean"):
+        load(["motion.secnds=3"])
 
 
 def test_a_wrong_name_or_type_is_named():
@@ -62,10 +69,23 @@ def test_what_must_be_given_is_asked_for():
 
 def test_conf_holds_the_constructors_own_defaults():
     plain = OmegaConf.to_container(load(), resolve=True)
+    cross_performer, cross_camera, folder = (
+        OmegaConf.to_container(load(choice), resolve=True)
+        for choice in (
+            ["dataset=cross_performer"],
+            ["dataset=cross_camera"],
+            ["motion=bvh", "motion.root=somewhere"],
+        )
+    )
     pairs = [
+        (Scenes, plain["silhouette"]["scenes"]),
+        (CrossPerformer, cross_performer["dataset"]),
+        (CrossCamera, cross_camera["dataset"]),
+        (partial(MotionFolder, "somewhere"), folder["motion"]),
         (WalkerTakes, plain["motion"]),
         (Camera, plain["silhouette"]["camera"]),
         (Body, plain["silhouette"]["body"]),
+        (Degradation, plain["silhouette"]["degradation"]),
         (SamePerformer, plain["dataset"]),
         (ShapeContextHistogram, plain["descriptor"]),
         (BasisSettings, plain["regression"]["basis"]),
@@ -77,4 +97,5 @@ def test_conf_holds_the_constructors_own_defaults():
         for name, value in settings.items():
             if name in parameters:
                 own = getattr(made, name, parameters[name].default)
-                assert own == value or list(own) == value, f"{constructor.__name__}.{name}"
+                same = own == value or str(own) == value or list(own) == value
+                assert same, f"{type(made).__name__}.{name}"

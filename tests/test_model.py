@@ -2,6 +2,7 @@ import io
 import json
 
 import numpy as np
+import pybvh
 import pytest
 
 import silpose
@@ -28,6 +29,17 @@ def test_poses_have_joints_and_heading(model, sequence):
     off = np.abs((poses.heading - ANGLES.heading(sequence.x) + 180) % 360 - 180)
     assert np.median(off) < 10
     assert np.median(poses.heading_norm) == pytest.approx(1, abs=0.2)
+
+
+def test_poses_are_saved_as_bvh(model, mask_folder, tmp_path):
+    poses = model.predict(mask_folder, blank="nan")
+    poses.save_bvh(tmp_path / "poses.bvh", 15.0)
+    bvh = pybvh.read_bvh_file(tmp_path / "poses.bvh")
+    assert bvh.frame_count == 12
+    read = bvh.node_positions(centered="skeleton")[:, bvh.node_index["left_knee"]]
+    knee = ANGLES.joints(poses.x[:5])[:, ANGLES.joint_names.index("left_knee")]
+    np.testing.assert_allclose(read[:5], knee, atol=1e-5)
+    np.testing.assert_array_equal(read[5], read[4])  # the sixth is blank
 
 
 def test_array_list_and_folder_agree(model, mask_folder, sequence):

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.pose import ANGLES, wrap_degrees
+from silpose.pose import ANGLES, AUTHORS_JOINTS, wrap_degrees
 
 
 def random_poses(n, seed=0):
@@ -47,3 +47,15 @@ def test_distance_is_eq_6_and_broadcasts():
     pairwise = ANGLES.distance(x[:, None], x[None])
     assert pairwise.shape == (4, 4)
     np.testing.assert_allclose(np.diag(pairwise), 0, atol=1e-10)
+
+
+def test_pairwise_is_the_distance_of_all_pairs():
+    rng = np.random.default_rng(0)
+    angles = rng.uniform(-60, 60, (7, 54))
+    angles[:, [0, 5]] = rng.uniform(-180, 180, (7, 2))
+    for space, x in (
+        (ANGLES, ANGLES.from_angles(angles)),
+        (AUTHORS_JOINTS, rng.normal(size=(7, 59))),
+    ):
+        pairs = space.pairwise(x[:3], x)
+        np.testing.assert_allclose(pairs, space.distance(x[:3, None], x[None]), atol=1e-9)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from collections.abc import Sequence as Ordered
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -11,11 +12,19 @@ from silpose.errors import InputError
 
 @dataclass(frozen=True)
 class Split:
-    """Names of the takes that train, validate and test."""
+    """Names of the takes that train, validate and test.
+
+    Attributes
+    ----------
+    train, validation, test : list of str
+    by_performer : bool
+        Whether no performer may be in two of them.
+    """
 
     train: list[str]
     validation: list[str]
     test: list[str]
+    by_performer: bool = False
 
 
 class SamePerformer:
@@ -45,18 +54,19 @@ class SamePerformer:
         self.usual_validation = usual_validation
         self.usual_test = usual_test
 
-    def split(self, takes: Ordered[str]) -> Split:
+    def split(self, takes: Collection[str]) -> Split:
         """Assign every take.
 
         Parameters
         ----------
-        takes : sequence of str
+        takes : collection of str
             Names, in order.
 
         Returns
         -------
         split : Split
         """
+        takes = list(takes)
         if len(takes) < 3:
             raise InputError(
                 f"a split into training, validation and test needs 3 takes or more, "

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from collections.abc import Sequence as Ordered
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.dataset.photographs import Photographs
 from silpose.errors import InputError
 from silpose.pose import PoseSpace
+from silpose.silhouette import Camera
 
 Array = NDArray[np.float64]
 
@@ -25,20 +28,27 @@ class Sequence:
     frames_per_second : float
     x : ndarray, shape (F, D)
         True poses.
-    masks : ndarray of 0 and 1, shape (F, H, W), or None
+    masks : ndarray of 0 and 1, shape (F, H, W), or Photographs, or None
+        Held, or taken when they are asked for.
     offset : ndarray, shape (F, 3)
         Of the root from what the camera looks at, metres.
     z : ndarray, shape (F, d), or None
         Descriptors, where these are what the data hold instead of masks.
+    take : str or None
+        What was photographed, where one take gave several sequences.
+    camera : Camera or None
+        Which took the masks.
     """
 
     name: str
     performer: str
     frames_per_second: float
     x: Array
-    masks: NDArray[np.uint8] | None
+    masks: NDArray[np.uint8] | Photographs | None
     offset: Array
     z: Array | None = None
+    take: str | None = None
+    camera: Camera | None = None
 
     def __len__(self) -> int:
         return len(self.x)
@@ -46,19 +56,41 @@ class Sequence:
 
 @dataclass(frozen=True)
 class Dataset:
-    """Sequences by what they are for; no take may be in two of the lists."""
+    """Sequences by what they are for; no take may be in two of the lists.
+
+    Attributes
+    ----------
+    name : str
+    space : PoseSpace
+    train, validation, test : sequence of Sequence
+    by_performer : bool
+        Whether no performer may be in two of the lists either, and hyper-parameters are chosen by
+        leaving one performer out at a time.
+    """
 
     name: str
     space: PoseSpace
     train: Ordered[Sequence]
     validation: Ordered[Sequence]
     test: Ordered[Sequence]
+    by_performer: bool = False
 
     def __post_init__(self) -> None:
+        self._refuse_twice("take", lambda sequence: sequence.take or sequence.name)
+        if self.by_performer:
+            self._refuse_twice("performer", lambda sequence: sequence.performer)
         names = [s.name for part in (self.train, self.validation, self.test) for s in part]
-        twice = sorted({name for name in names if names.count(name) > 1})
-        if twice:
-            raise InputError(f"take '{twice[0]}' is in two of training, validation and test")
+        if len(set(names)) < len(names):
+            twice = next(name for name in names if names.count(name) > 1)
+            raise InputError(f"two sequences are called '{twice}'")
+
+    def _refuse_twice(self, what: str, which: Callable[[Sequence], str]) -> None:
+        parts = [{which(s) for s in part} for part in (self.train, self.validation, self.test)]
+        for one, other in combinations(parts, 2):
+            if one & other:
+                raise InputError(
+                    f"{what} '{min(one & other)}' is in two of training, validation and test"
+                )
 
 
 def poses(sequences: Iterable[Sequence]) -> Array:

@@ -1,19 +1,37 @@
-"""From motion to sequences: every pose before the camera."""
+"""From motion to sequences: every pose before a camera."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import hashlib
+from collections.abc import Callable, Mapping
 from collections.abc import Sequence as Ordered
+from dataclasses import replace
+from typing import Protocol
 
 import numpy as np
 
-from silpose.dataset.same_performer import SamePerformer
+from silpose.dataset.cross_camera import CrossCamera
+from silpose.dataset.cross_performer import CrossPerformer
+from silpose.dataset.photographs import Photographs, as_poses
+from silpose.dataset.same_performer import Split
+from silpose.dataset.scenes import Scenes
 from silpose.dataset.sequence import Dataset, Sequence
 from silpose.errors import InputError
 from silpose.motion import Motion
 from silpose.pose import ANGLES
 from silpose.progress import bar
-from silpose.silhouette import Body, Camera, render
+from silpose.silhouette import Body, Camera, Degradation
+
+Spoil = Callable[[np.ndarray, int], np.ndarray]
+
+HELD = 2**28
+"""Bytes of training masks that are held; where there are more, they are taken when needed."""
+
+
+class Splitter(Protocol):
+    """Assigns takes to training, validation and test, given each take's performer."""
+
+    def split(self, takes: Mapping[str, str], /) -> Split: ...  # noqa: D102
 
 
 def photograph(
@@ -21,6 +39,9 @@ def photograph(
     body: Body,
     camera: Camera,
     advance: Callable[[int], None] = lambda frames: None,
+    name: str | None = None,
+    hold: bool = True,
+    spoil: Callable[[str], Spoil | None] = lambda name: None,
 ) -> Sequence:
     """Pose the body through a motion and take its masks.
 
@@ -30,51 +51,133 @@ def photograph(
     body : Body
     camera : Camera
     advance : callable, optional
-        Called with 1 after every frame.
+        Called with 1 after every mask that is taken.
+    name : str, optional
+        Of the sequence; the motion's if not given.
+    hold : bool
+        Whether all masks are taken at once and held.
+    spoil : callable, optional
+        From the sequence's name to what degrades its masks.
 
     Returns
     -------
     sequence : Sequence
         Its poses' headings are relative to the camera.
     """
-    offset, heading = camera.place(motion.root_position, motion.angles[:, 0])
-    x = ANGLES.from_angles(np.column_stack([heading, motion.angles[:, 1:]]))
-    masks = np.empty((len(motion), camera.height, camera.width), np.uint8)
-    for frame, mask in enumerate(render(body, camera, ANGLES.rotations(x), offset)):
-        if not mask.any():
-            raise InputError(
-                f"frame {frame} of take '{motion.name}' is out of the camera's sight: "
-                "set silhouette.camera.follow=true or a larger silhouette.camera.distance"
-            )
-        masks[frame] = mask
-        advance(1)
-    return Sequence(motion.name, motion.performer, motion.frames_per_second, x, masks, offset)
+    seconds = np.arange(len(motion)) / motion.frames_per_second
+    offset, heading = camera.place(motion.root_position, motion.angles[:, 0], seconds)
+    x = as_poses(motion.angles, heading)
+    name = name or motion.name
+    photographs = Photographs(motion.name, body, camera, x, offset, spoil(name))
+    masks: np.ndarray | Photographs = photographs
+    if hold:
+        masks = np.empty((len(motion), camera.height, camera.width), np.uint8)
+        for frame, mask in enumerate(photographs):
+            masks[frame] = mask
+            advance(1)
+    return Sequence(
+        name,
+        motion.performer,
+        motion.frames_per_second,
+        x,
+        masks,
+        offset,
+        take=motion.name,
+        camera=camera,
+    )
 
 
 def synthesise(
-    takes: Ordered[Motion], splitter: SamePerformer, body: Body, camera: Camera, name: str
+    takes: Ordered[Motion],
+    splitter: Splitter,
+    body: Body,
+    camera: Camera,
+    name: str,
+    scenes: Scenes | None = None,
+    degradation: Degradation | None = None,
 ) -> Dataset:
     """Photograph every take that the split uses.
 
     Parameters
     ----------
     takes : sequence of Motion
-    splitter : SamePerformer
+    splitter : Splitter
     body : Body
     camera : Camera
     name : str
         Of the dataset, as results call it.
+    scenes : Scenes, optional
+        From which bodies and cameras of training are drawn; validation and test see the one body
+        and the one camera, but where the splitter gives them others.
+    degradation : Degradation, optional
+        Of the masks.
 
     Returns
     -------
     dataset : Dataset
     """
-    split = splitter.split([take.name for take in takes])
+    scenes = scenes or Scenes()
+    if isinstance(splitter, CrossPerformer):
+        _refuse_walkers(takes)
+    split = splitter.split({take.name: take.performer for take in takes})
     by_name = {take.name: take for take in takes}
-    used = [*split.train, *split.validation, *split.test]
-    with bar("masks", sum(len(by_name[take]) for take in used)) as advance:
+    parts = [
+        [by_name[take] for take in part] for part in (split.train, split.validation, split.test)
+    ]
+    _refuse_leaks(parts)
+    if split.by_performer and scenes.frames is None:
+        scenes = _equal(scenes, parts[0])
+    test_scenes = scenes.plain()
+    if isinstance(splitter, CrossCamera):
+        test_scenes = splitter.test_scenes(scenes, body, camera)
+    shots = [
+        scenes.shots(parts[0], body, camera),
+        scenes.plain().shots(parts[1], body, camera, stream=1),
+        test_scenes.shots(parts[2], body, camera, stream=2),
+    ]
+    frames = [sum(len(shot.motion) for shot in part) for part in shots]
+    damage = degradation or Degradation()
+    spoils = [damage.spoiler(kinds) for kinds in (damage.train, damage.train, damage.test)]
+    hold = frames[0] * camera.height * camera.width <= HELD
+    with bar("masks", frames[0] * hold + sum(frames[1:])) as advance:
         train, validation, test = (
-            [photograph(by_name[take], body, camera, advance) for take in part]
-            for part in (split.train, split.validation, split.test)
+            [
+                photograph(shot.motion, shot.body, shot.camera, advance, shot.name, held, spoil)
+                for shot in part
+            ]
+            for part, held, spoil in zip(shots, (hold, True, True), spoils, strict=True)
         )
-    return Dataset(name, ANGLES, train, validation, test)
+    return Dataset(name, ANGLES, train, validation, test, split.by_performer)
+
+
+def _equal(scenes: Scenes, takes: Ordered[Motion]) -> Scenes:
+    """Ask for as many frames of every performer as the one with the fewest has."""
+    frames: dict[str, int] = {}
+    for take in takes:
+        frames[take.performer] = frames.get(take.performer, 0) + len(take)
+    return replace(scenes, frames=min(frames.values()) * len(frames))
+
+
+def _refuse_walkers(takes: Ordered[Motion]) -> None:
+    """Refuse what was fitted to all performers where none may be known."""
+    for take in takes:
+        if take.synthetic:
+            raise InputError(
+                f"take '{take.name}' is of the statistical walker, which was fitted to all "
+                "performers and is a stranger to none: add motion=bvh motion.root=FOLDER"
+            )
+
+
+def _refuse_leaks(parts: Ordered[Ordered[Motion]]) -> None:
+    """Refuse a motion that is in two parts under two names."""
+    seen: dict[bytes, tuple[int, str]] = {}
+    for k, part in enumerate(parts):
+        for take in part:
+            angles = take.angles[:, 1:].round(3)  # whatever its heading
+            digest = hashlib.sha256(angles.tobytes()).digest()
+            other, name = seen.setdefault(digest, (k, take.name))
+            if other != k:
+                raise InputError(
+                    f"takes '{name}' and '{take.name}' are the same motion, and are in two of "
+                    "training, validation and test: remove one of the files"
+                )

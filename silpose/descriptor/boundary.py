@@ -29,7 +29,7 @@ def as_mask(mask: ArrayLike, index: int) -> NDArray[np.uint8]:
     if mask.dtype.kind not in "buif":
         raise InputError(f"mask {index} has type {mask.dtype}: expected booleans or numbers")
     mask = mask if mask.dtype == np.uint8 else (mask != 0).view(np.uint8)
-    if not mask.any():
+    if cv2.countNonZero(mask) == 0:
         raise InputError(f"mask {index} has no foreground: leave out frames without a person")
     return mask
 
@@ -54,7 +54,22 @@ def boundary_pixels(mask: NDArray[np.uint8]) -> tuple[Pixels, Pixels]:
 
 
 @numba.njit(cache=True, nogil=True)
-def spaced_indices(pixels: Pixels, lengths: Pixels, count: int) -> Pixels:  # pragma: no cover
+def extent(pixels: Pixels) -> float:  # pragma: no cover
+    """Root mean square distance of the pixels from their centre: the size of a silhouette."""
+    x, y, squares = 0.0, 0.0, 0.0
+    for n in range(len(pixels)):
+        dx, dy = float(pixels[n, 0] - pixels[0, 0]), float(pixels[n, 1] - pixels[0, 1])
+        x += dx
+        y += dy
+        squares += dx * dx + dy * dy
+    count = len(pixels)
+    return float(np.sqrt(max(squares / count - (x / count) ** 2 - (y / count) ** 2, 0.0)))
+
+
+@numba.njit(cache=True, nogil=True)
+def spaced_indices(
+    pixels: Pixels, lengths: Pixels, count: int, spacing: float
+) -> Pixels:  # pragma: no cover
     """Choose pixels at equal arc length along all contours.
 
     Parameters
@@ -62,7 +77,10 @@ def spaced_indices(pixels: Pixels, lengths: Pixels, count: int) -> Pixels:  # pr
     pixels, lengths
         As from `boundary_pixels`.
     count : int
-        Number of points; where there are fewer pixels, some are chosen repeatedly.
+        Number of points; where there are fewer pixels, some are chosen repeatedly. 0 leaves the
+        number to the spacing.
+    spacing : float
+        Arc length between points, pixels, if there is no count; at least one point is chosen.
 
     Returns
     -------
@@ -80,6 +98,8 @@ def spaced_indices(pixels: Pixels, lengths: Pixels, count: int) -> Pixels:  # pr
             step = np.sqrt(dx * dx + dy * dy) if length > 1 else 1.0
             along[here + 1] = along[here] + step
         start += length
+    if count == 0:
+        count = max(1, int(np.rint(along[-1] / spacing)))
     spacing = along[-1] / count
     indices = np.empty(count, np.int32)
     pixel = 0

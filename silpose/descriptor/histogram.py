@@ -2,29 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
+from numbers import Integral, Real
 from os import cpu_count
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.descriptor.boundary import as_mask, boundary_pixels, spaced_indices
-from silpose.descriptor.codebook import (
-    learn_codebook,
-    soft_votes,
-    squared_distances,
-    typical_distance,
-)
+from silpose.descriptor.boundary import Pixels, as_mask, boundary_pixels, extent, spaced_indices
+from silpose.descriptor.codebook import METHODS, learn_codebook, typical_distance
 from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
+from silpose.descriptor.voting import soft_votes
 from silpose.errors import InputError
 
 Masks = NDArray[Any] | Sequence[ArrayLike]
+T = TypeVar("T")
+
+NORMALISATIONS = ("sum", "mean", "none")
+COUNTS = {"edge_points", "angular_bins", "radial_bins", "codebook_size", "voters", "max_contexts"}
+FACTORS = {"spacing", "radius", "vote_width"}
+OPTIONAL = {"edge_points", "spacing", "voters"}  # what may be None
 
 _table = lru_cache(maxsize=8)(sector_table)
 
@@ -47,7 +50,7 @@ class Description:
 
     points: NDArray[np.int32]
     contexts: NDArray[np.float32]
-    nearest: NDArray[np.intp]
+    nearest: NDArray[np.int32]
     z: NDArray[np.float64]
 
 
@@ -56,8 +59,12 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
 
     Parameters
     ----------
-    edge_points : int
-        Regularly spaced points on the boundary at which contexts are taken.
+    edge_points : int or None
+        Regularly spaced points on the boundary at which contexts are taken; None takes one at
+        every boundary pixel.
+    spacing : float or None
+        Distance of the edge points along the boundary, relative to the silhouette's size; takes
+        the place of `edge_points`.
     angular_bins, radial_bins : int
         Of a context; the rings grow by equal factors.
     radius : float
@@ -67,13 +74,18 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         Outer radius of the innermost ring, relative to `radius`.
     codebook_size : int
         Number of centres.
-    voters : int
-        Centres that each context votes into.
+    codebook_method : {"kmeans", "kmeans_seeds", "random", "farthest"}
+        How they are chosen: k-means, the seeds of k-means++ as they are, contexts drawn evenly, or
+        each the context farthest from all before.
+    voters : int or None
+        Centres that each context votes into; None is all of them, so that no bin is ever zero.
     vote_width : float
         Standard deviation of a vote, relative to the typical distance of a training context
         to its nearest centre.
+    normalisation : {"sum", "mean", "none"}
+        Whether a histogram sums to 1, has mean 1, or counts edge points.
     max_contexts : int
-        At most so many contexts, drawn from those of all masks, go into k-means.
+        At most so many contexts, drawn evenly from all masks, are what centres are chosen from.
     random_state : int or None
     n_jobs : int or None
         Threads; None is one per processor. The result does not depend on it.
@@ -81,6 +93,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
     Attributes
     ----------
     codebook_ : ndarray, shape (codebook_size, radial_bins * angular_bins)
+        Neighbours are alike: the centres go round a circle, the last is next to the first.
     vote_width_ : float
         In units of contexts.
 
@@ -93,26 +106,32 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
 
     def __init__(
         self,
-        edge_points: int = 200,
+        edge_points: int | None = 200,
+        spacing: float | None = None,
         angular_bins: int = 12,
         radial_bins: int = 5,
         radius: float = 0.45,
         inner_radius: float = 0.1,
         codebook_size: int = 100,
-        voters: int = 8,
+        codebook_method: str = "kmeans",
+        voters: int | None = 8,
         vote_width: float = 0.7,
+        normalisation: str = "sum",
         max_contexts: int = 50_000,
         random_state: int | None = 0,
         n_jobs: int | None = None,
     ) -> None:
         self.edge_points = edge_points
+        self.spacing = spacing
         self.angular_bins = angular_bins
         self.radial_bins = radial_bins
         self.radius = radius
         self.inner_radius = inner_radius
         self.codebook_size = codebook_size
+        self.codebook_method = codebook_method
         self.voters = voters
         self.vote_width = vote_width
+        self.normalisation = normalisation
         self.max_contexts = max_contexts
         self.random_state = random_state
         self.n_jobs = n_jobs
@@ -126,14 +145,21 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
             Not 0 is foreground.
         """
         self._check_parameters()
-        checked = _checked(masks)
-        random = np.random.default_rng(self.random_state)
-        # Contexts of all masks, but not all contexts: as many from each.
-        share = max(1, min(self.edge_points, self.max_contexts // len(checked)))
-        picks = [random.choice(self.edge_points, share, replace=False) for _ in checked]
-        described = self._map(lambda mask: self._contexts(mask)[1], checked)
-        contexts = np.concatenate([c[p] for c, p in zip(described, picks, strict=True)])
-        self.codebook_ = learn_codebook(contexts, self.codebook_size, self.random_state)
+        _check_stack(masks)
+        # Contexts of all masks, but not all contexts: as many from each, at random points.
+        share = max(1, self.max_contexts // len(masks))
+        seeds = np.random.SeedSequence(self.random_state).spawn(len(masks))
+
+        def some_contexts(index: int) -> NDArray[np.float32]:
+            pixels, points = self._boundary(as_mask(masks[index], index))
+            few = min(share, len(points))
+            chosen = np.random.default_rng(seeds[index]).choice(len(points), few, replace=False)
+            return self._contexts(pixels, points[chosen])
+
+        contexts = np.concatenate(self._map(some_contexts, len(masks)))
+        self.codebook_ = learn_codebook(
+            contexts, self.codebook_size, self.codebook_method, self.random_state
+        )
         self.vote_width_ = self.vote_width * typical_distance(contexts, self.codebook_)
         return self
 
@@ -147,15 +173,25 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         Returns
         -------
         z : ndarray, shape (n, codebook_size)
-            Each row sums to 1.
         """
-        check_is_fitted(self)
-        return np.stack(self._map(lambda mask: self._describe(mask).z, _checked(masks)))
+        return np.stack([description.z for description in self.describe(masks)])
 
     def describe(self, masks: Masks) -> list[Description]:
         """Describe masks with the steps in between, for those who want to look at them."""
         check_is_fitted(self)
-        return self._map(self._describe, _checked(masks))
+        _check_stack(masks)
+        transposed = np.ascontiguousarray(self.codebook_.T)
+        norms = np.einsum("kb,kb->k", self.codebook_, self.codebook_)
+        voters = min(self.voters or len(norms), len(norms))
+        width = max(self.vote_width_, 1e-9)
+
+        def description(index: int) -> Description:
+            pixels, points = self._boundary(as_mask(masks[index], index))
+            contexts = self._contexts(pixels, points)
+            votes, nearest = soft_votes(contexts, transposed, norms, voters, width)
+            return Description(points, contexts, nearest, self._normalised(votes, len(points)))
+
+        return self._map(description, len(masks))
 
     def get_feature_names_out(self, input_features: object = None) -> NDArray[np.object_]:
         """Name the bins of the histogram."""
@@ -165,57 +201,70 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
     def state(self) -> dict[str, Any]:
         """Give parameters and what was learnt, as arrays and numbers."""
         check_is_fitted(self)
-        parameters = {k: v for k, v in self.get_params().items() if v is not None}
+        # An .npz holds no None: what is None is left out, what is said explicitly comes back.
+        parameters = {k: [] if v is None else v for k, v in self.get_params().items()}
         return {**parameters, "codebook_": self.codebook_, "vote_width_": self.vote_width_}
 
     @classmethod
     def from_state(cls, state: dict[str, Any]) -> ShapeContextHistogram:
         """Restore what `state` gave."""
         learnt = {k: v for k, v in state.items() if k.endswith("_")}
-        histogram = cls(**{k: np.asarray(v).item() for k, v in state.items() if k not in learnt})
+        plain = {k: np.asarray(v) for k, v in state.items() if k not in learnt}
+        parameters: dict[str, Any] = {k: v.item() if v.size else None for k, v in plain.items()}
+        histogram = cls(**parameters)
         histogram.codebook_ = np.asarray(learnt["codebook_"], dtype=np.float32)
         histogram.vote_width_ = float(learnt["vote_width_"])
         return histogram
 
-    def _describe(self, mask: NDArray[np.uint8]) -> Description:
-        points, contexts = self._contexts(mask)
-        distances = squared_distances(contexts, self.codebook_)
-        voters = min(self.voters, len(self.codebook_))
-        z = soft_votes(distances, voters, max(self.vote_width_, 1e-9))
-        return Description(points, contexts, distances.argmin(axis=1), z)
-
-    def _contexts(self, mask: NDArray[np.uint8]) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
+    def _boundary(self, mask: NDArray[np.uint8]) -> tuple[Pixels, Pixels]:
+        """All boundary pixels (N, 2), and the edge points (P, 2) among them."""
         pixels, lengths = boundary_pixels(mask)
-        points = pixels[spaced_indices(pixels, lengths, self.edge_points)]
-        size = np.sqrt(pixels.var(axis=0).sum())
-        reach = max(self.radius * size, 1.0)  # a single pixel still has a neighbourhood
+        if self.spacing is not None:
+            step = self.spacing * max(extent(pixels), 1.0)
+            return pixels, pixels[spaced_indices(pixels, lengths, 0, step)]
+        if self.edge_points is not None:
+            return pixels, pixels[spaced_indices(pixels, lengths, self.edge_points, 0.0)]
+        return pixels, pixels
+
+    def _contexts(self, pixels: Pixels, points: Pixels) -> NDArray[np.float32]:
+        reach = max(self.radius * extent(pixels), 1.0)  # a single pixel still has a neighbourhood
         bounds = ring_bounds(reach, self.inner_radius * reach, self.radial_bins)
         # Tables come in a few sizes, so that most masks share one.
         sectors = _table(64 * (int(reach) // 64 + 1), self.angular_bins)
-        return points, shape_contexts(pixels, points, bounds, sectors, self.angular_bins)
+        return shape_contexts(pixels, points, bounds, sectors, self.angular_bins)
 
-    def _map(self, function: Any, masks: list[NDArray[np.uint8]]) -> list[Any]:
-        threads = min(self.n_jobs or cpu_count() or 1, len(masks))
+    def _normalised(self, votes: NDArray[np.float64], points: int) -> NDArray[np.float64]:
+        if self.normalisation == "none":
+            return votes
+        return votes * ((len(votes) if self.normalisation == "mean" else 1) / points)
+
+    def _map(self, function: Callable[[int], T], count: int) -> list[T]:
+        """Call a function with every mask's index, in blocks on several threads."""
+        threads = min(self.n_jobs or cpu_count() or 1, count)
         if threads == 1:
-            return [function(mask) for mask in masks]
+            return [function(index) for index in range(count)]
+        blocks = np.array_split(np.arange(count), min(8 * threads, count))
         with ThreadPoolExecutor(threads) as pool:
-            return list(pool.map(function, masks))
+            done = pool.map(lambda block: [function(int(index)) for index in block], blocks)
+            return [result for block in done for result in block]
 
     def _check_parameters(self) -> None:
-        for name in ("edge_points", "angular_bins", "radial_bins", "codebook_size", "voters"):
-            if getattr(self, name) < 1:
-                raise InputError(f"{name} must be at least 1, not {getattr(self, name)}")
-        for name in ("radius", "vote_width"):
-            if getattr(self, name) <= 0:
-                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
+        given = {k: v for k, v in self.get_params().items() if v is not None or k not in OPTIONAL}
+        for name in COUNTS & given.keys():
+            if not (isinstance(given[name], Integral) and given[name] >= 1):
+                raise InputError(f"{name} must be at least 1, not {given[name]}")
+        for name in FACTORS & given.keys():
+            if not (isinstance(given[name], Real) and 0 < given[name] < np.inf):
+                raise InputError(f"{name} must be positive, not {given[name]}")
         if not 0 < self.inner_radius < 1:
             raise InputError(f"inner_radius must be between 0 and 1, not {self.inner_radius}")
+        for name, known in (("codebook_method", METHODS), ("normalisation", NORMALISATIONS)):
+            if (value := getattr(self, name)) not in known:
+                raise InputError(f"there is no {name}={value}; there are {', '.join(known)}")
 
 
-def _checked(masks: Masks) -> list[NDArray[np.uint8]]:
+def _check_stack(masks: Masks) -> None:
     if isinstance(masks, np.ndarray) and masks.ndim != 3:
         raise InputError(f"masks have shape {masks.shape}: expected (n, height, width)")
-    checked = [as_mask(mask, index) for index, mask in enumerate(masks)]
-    if not checked:
+    if not len(masks):
         raise InputError("there are no masks")
-    return checked

@@ -23,12 +23,11 @@ def ring_bounds(radius: float, inner_radius: float, radial_bins: int) -> NDArray
     bounds : ndarray, shape (radial_bins,)
         In units of `radius` and `inner_radius`.
     """
-    if radial_bins == 1:
-        return np.array([radius])
-    return np.geomspace(inner_radius, radius, radial_bins)
+    steps = np.arange(1 - radial_bins, 1)
+    return radius * (radius / inner_radius) ** (steps / max(radial_bins - 1, 1))
 
 
-def sector_table(reach: int, angular_bins: int) -> NDArray[np.int8]:
+def sector_table(reach: int, angular_bins: int) -> NDArray[np.int16]:
     """Angular bin of every offset up to ``reach`` pixels: the first bin is centred on +x.
 
     Returns
@@ -38,7 +37,7 @@ def sector_table(reach: int, angular_bins: int) -> NDArray[np.int8]:
     """
     dy, dx = np.mgrid[-reach : reach + 1, -reach : reach + 1]
     turns = np.arctan2(dy, dx) / (2 * np.pi)
-    return (np.floor(turns * angular_bins + 0.5).astype(int) % angular_bins).astype(np.int8)
+    return (np.floor(turns * angular_bins + 0.5).astype(int) % angular_bins).astype(np.int16)
 
 
 @numba.njit(cache=True, nogil=True)
@@ -46,13 +45,14 @@ def shape_contexts(
     pixels: Pixels,
     points: Pixels,
     bounds: NDArray[np.float64],
-    sectors: NDArray[np.int8],
+    sectors: NDArray[np.int16],
     angular_bins: int,
 ) -> Array:  # pragma: no cover
     """Histogram the boundary around each point.
 
-    All offsets are whole pixels, so an offset's bin is looked up in a table made once per
-    mask, and only pixels on the rows within reach are visited.
+    All offsets are whole pixels, so an offset's bin is looked up in a table made once per mask.
+    With pixels in rows, an offset is one difference of addresses, and only the rows within reach
+    are visited.
 
     Parameters
     ----------
@@ -71,52 +71,76 @@ def shape_contexts(
     contexts : ndarray, shape (P, radial_bins * angular_bins)
         Each sums to 1, ring after ring; a point that sees no other pixel has zeros.
     """
-    bins = len(bounds) * angular_bins
     reach = int(bounds[-1])
-    width = 2 * reach + 1
-    table = np.full((width, width), bins, np.int16)  # the last bin is out of reach, not counted
-    centre = len(sectors) // 2
+    left, right = pixels[:, 0].min(), pixels[:, 0].max()
+    width = 2 * max(right - left, reach) + 1  # two offsets never share an address
+    table = _bins_of_offsets(bounds, sectors, angular_bins, reach, width)
+    top, first, addresses = _in_rows(pixels, left, width)
+    centre = reach * width + width // 2
+
+    bins = len(bounds) * angular_bins
+    contexts = np.zeros((len(points), bins), np.float32)
+    counts = np.zeros((2, bins + 1), np.int32)
+    for p in range(len(points)):
+        counts[:] = 0
+        row = points[p, 1] - top
+        shift = centre - row * width - (points[p, 0] - left)
+        begin = first[max(0, row - reach)]
+        end = first[min(len(first) - 1, row + reach + 1)]
+        for n in range(begin, end):
+            counts[n & 1, table[np.uint64(addresses[n] + shift)]] += 1
+        total = 0
+        for b in range(bins):
+            total += counts[0, b] + counts[1, b]
+        if total > 0:
+            share = np.float32(1) / np.float32(total)
+            for b in range(bins):
+                contexts[p, b] = (counts[0, b] + counts[1, b]) * share
+    return contexts
+
+
+@numba.njit(cache=True, nogil=True)
+def _bins_of_offsets(
+    bounds: NDArray[np.float64],
+    sectors: NDArray[np.int16],
+    angular_bins: int,
+    reach: int,
+    width: int,
+) -> NDArray[np.uint16]:  # pragma: no cover
+    """Bin of every offset, at the address ``(dy + reach) * width + dx + width // 2``.
+
+    The last bin is for what is out of reach, and for the point itself.
+    """
+    table = np.full((2 * reach + 1) * width, len(bounds) * angular_bins, np.uint16)
+    limits = bounds**2
+    middle = len(sectors) // 2
     for dy in range(-reach, reach + 1):
+        start = (dy + reach) * width + width // 2
         for dx in range(-reach, reach + 1):
             squared = dx * dx + dy * dy
-            if 0 < squared <= bounds[-1] ** 2:
+            if 0 < squared <= limits[-1]:
                 ring = 0
-                while squared > bounds[ring] ** 2:
+                while squared > limits[ring]:
                     ring += 1
-                sector = sectors[centre + dy, centre + dx]
-                table[reach + dy, reach + dx] = ring * angular_bins + sector
+                table[start + dx] = ring * angular_bins + sectors[middle + dy, middle + dx]
+    return table
 
-    # Sort the pixels by row, so that rows out of reach are skipped.
-    top, bottom = pixels[0, 1], pixels[0, 1]
-    for n in range(len(pixels)):
-        top, bottom = min(top, pixels[n, 1]), max(bottom, pixels[n, 1])
+
+@numba.njit(cache=True, nogil=True)
+def _in_rows(
+    pixels: Pixels, left: int, width: int
+) -> tuple[int, Pixels, Pixels]:  # pragma: no cover
+    """Sort pixels by row: the top row, where each row starts (and ends), and their addresses."""
+    top, bottom = pixels[:, 1].min(), pixels[:, 1].max()
     first = np.zeros(bottom - top + 2, np.int32)
     for n in range(len(pixels)):
         first[pixels[n, 1] - top + 1] += 1
     for row in range(len(first) - 1):
         first[row + 1] += first[row]
     filled = first[:-1].copy()
-    columns = np.empty(len(pixels), np.int32)
+    addresses = np.empty(len(pixels), np.int32)
     for n in range(len(pixels)):
         row = pixels[n, 1] - top
-        columns[filled[row]] = pixels[n, 0]
+        addresses[filled[row]] = row * width + pixels[n, 0] - left
         filled[row] += 1
-
-    contexts = np.zeros((len(points), bins), np.float32)
-    counts = np.zeros(bins + 1, np.int32)
-    for p in range(len(points)):
-        counts[:] = 0
-        x, y = points[p]
-        for row in range(max(top, y - reach), min(bottom, y + reach) + 1):
-            bins_of_row = table[row - y + reach]
-            for n in range(first[row - top], first[row - top + 1]):
-                shifted = columns[n] - x + reach
-                if 0 <= shifted < width:
-                    counts[bins_of_row[shifted]] += 1
-        total = 0
-        for b in range(bins):
-            total += counts[b]
-        if total > 0:
-            for b in range(bins):
-                contexts[p, b] = counts[b] / total
-    return contexts
+    return top, first, addresses

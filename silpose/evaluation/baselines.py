@@ -11,7 +11,7 @@ from silpose.pose import PoseSpace
 Array = NDArray[np.float64]
 
 BASELINES = ("mean_pose", "nearest", "knn", "oracle")
-_BLOCK = 16  # frames whose distances to all training poses are held at a time
+_BLOCK = 64  # frames whose distances to all training poses are held at a time
 
 
 def baselines(
@@ -48,7 +48,7 @@ def baselines(
 def oracle(space: PoseSpace, x_train: Array, x: Array) -> Array:
     """Training pose nearest to each true pose: the floor for whatever copies training poses."""
     nearest = [
-        space.distance(x[start : start + _BLOCK, None], x_train[None]).argmin(axis=1)
+        space.pairwise(x[start : start + _BLOCK], x_train).argmin(axis=1)
         for start in range(0, len(x), _BLOCK)
     ]
     return x_train[np.concatenate(nearest)]

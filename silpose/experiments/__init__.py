@@ -3,33 +3,34 @@
 from collections.abc import Callable
 
 from silpose.experiments.bridges import bridges
+from silpose.experiments.contact_sheet import contact_sheet
 from silpose.experiments.damping import damping
+from silpose.experiments.descriptor_choices import descriptor_choices
+from silpose.experiments.descriptor_robustness import descriptor_robustness
+from silpose.experiments.descriptor_space import descriptor_space
 from silpose.experiments.extinction import extinction
 from silpose.experiments.feature_selection import feature_selection
 from silpose.experiments.initialisation import initialisation
 from silpose.experiments.kernel_widths import kernel_widths
+from silpose.experiments.lookalikes import lookalikes
 from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
 from silpose.experiments.rooms import OwnMasks, Rooms
+from silpose.experiments.shelf import Shelf
+from silpose.experiments.similarity import similarity
 from silpose.experiments.single_image import single_image
 from silpose.experiments.tracking import tracking
+from silpose.experiments.training_data import training_data
 
 EXPERIMENTS: dict[str, Callable[..., None]] = {
     experiment.__name__: experiment
     for experiment in (
-        bridges,
-        damping,
-        extinction,
-        feature_selection,
-        initialisation,
-        kernel_widths,
-        parts,
-        predict,
-        regressors,
-        single_image,
-        tracking,
+        *(single_image, predict, contact_sheet, lookalikes, training_data),
+        *(descriptor_space, similarity, descriptor_robustness, descriptor_choices),
+        *(bridges, parts, feature_selection, regressors),
+        *(tracking, extinction, damping, kernel_widths, initialisation),
     )
 }
 
-__all__ = ["EXPERIMENTS", "OwnMasks", "Rooms"]
+__all__ = ["EXPERIMENTS", "OwnMasks", "Rooms", "Shelf"]

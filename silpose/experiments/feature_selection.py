@@ -42,7 +42,8 @@ def feature_selection(rooms: Rooms, run: Run, method: str, samples: int) -> None
         for part in described.data.space.parts:
             chosen = described.learn(rooms.candidates, [method], part)
             bins[part] = chosen.regressors[method].relevance_
-    seen = described.descriptor.describe(take.masks)
+    masks = np.asarray(take.masks)
+    seen = described.descriptor.describe(masks)
     marked = {
         part: [np.isin(description.nearest, own) for description in seen]
         for part, own in bins.items()
@@ -56,12 +57,12 @@ def feature_selection(rooms: Rooms, run: Run, method: str, samples: int) -> None
     }
     points = [description.points for description in seen]
     with run.writing("feature_selection.png") as path:
-        _figure(path, take.masks, points, marked, samples)
+        _figure(path, masks, points, marked, samples)
     with run.writing("run.rrd") as path:
         record_features(
             path,
             f"{run.experiment}/{run.name}",
-            take.masks,
+            masks,
             points,
             marked,
             take.frames_per_second,

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.dataset import Dataset
+from silpose.dataset import Dataset, Studio
 from silpose.dataset import Sequence as Take
 from silpose.descriptor import ShapeContextHistogram
-from silpose.progress import bar
+from silpose.errors import InputError
+from silpose.experiments.shelf import Shelf
 from silpose.regression import Candidates
+from silpose.run import Run
 from silpose.silhouette import Camera
 from silpose.tracking import TrackingSettings
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -45,6 +45,8 @@ class Rooms:
     ----------
     dataset : callable
         Gives the `Dataset`: photographs motion, or reads a file.
+    studio : Studio or None
+        Where motion is photographed; None where a file is read.
     camera : Camera
     own_masks : OwnMasks
     descriptor : ShapeContextHistogram
@@ -57,31 +59,18 @@ class Rooms:
     """
 
     dataset: Callable[[], Dataset]
+    studio: Studio | None
     camera: Camera
     own_masks: OwnMasks
     descriptor: ShapeContextHistogram
     candidates: Candidates
     tracking: TrackingSettings
     seed: int
+    shelf: Shelf | None = None
 
 
-def learn_descriptor(rooms: Rooms, data: Dataset) -> ShapeContextHistogram | None:
-    """Fit the descriptor to the training masks; None where the data hold descriptors already."""
-    masks = [take.masks for take in data.train if take.masks is not None]
-    return rooms.descriptor.fit([mask for take in masks for mask in take]) if masks else None
-
-
-def describe(
-    descriptor: ShapeContextHistogram | None, takes: Sequence[Take]
-) -> list[tuple[Array, Array]]:
-    """Descriptors (F, d) and poses (F, D) of each take, with a progress bar."""
-    with bar("descriptors", sum(len(take) for take in takes)) as advance:
-        examples = []
-        for take in takes:
-            z = take.z
-            if take.masks is not None and descriptor is not None:
-                z = descriptor.transform(take.masks)
-            assert z is not None, "a sequence has masks or descriptors"
-            examples.append((z, take.x))
-            advance(len(take))
-    return examples
+def masks_of(take: Take, run: Run) -> NDArray[np.uint8]:
+    """Masks of a take, without which an experiment cannot go on."""
+    if take.masks is None:
+        raise InputError(f"{run.experiment} wants masks: these data hold descriptors only")
+    return np.asarray(take.masks)

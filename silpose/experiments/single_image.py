@@ -65,9 +65,14 @@ def _write(
     show: str,
 ) -> None:
     data, take = described.data, described.data.test[0]  # the first test sequence is looked at
+    camera = take.camera or rooms.camera
     frames = slice(0, len(take))
     errors = {m: data.space.distance(take.x, e[frames]) for m, e in estimates.items()}
-    look = model.look(take.masks) if take.masks is not None else model.look_at(described.test[0][0])
+    look = (
+        model.look(np.asarray(take.masks))
+        if take.masks is not None
+        else model.look_at(described.test[0][0])
+    )
     with run.writing("model.npz") as path:
         model.save(path)
     with run.writing("run.rrd") as path:
@@ -76,7 +81,7 @@ def _write(
             f"{run.experiment}/{run.name}",
             model,
             look,
-            Truth.of(take, rooms.camera, errors, data.space),
+            Truth.of(take, camera, errors, data.space),
             [show, "nearest", "mean_pose"],
             texts(
                 f"test sequence {take.name} by {take.performer}; RMS errors of {show}: "
@@ -90,7 +95,7 @@ def _write(
         single_image_figure(
             path,
             data.space,
-            rooms.camera,
+            camera,
             take,
             estimates[show][frames],
             {m: values[data.space.metrics[0]] for m, values in metrics.items()},

@@ -76,5 +76,7 @@ def learn_to_track(rooms: Rooms, run: Run) -> Learnt:
         ridge = described.learn(rooms.candidates, ["ridge"]).regressors["ridge"]
     assert isinstance(ridge, RidgeRegressor)
     rate = described.data.test[0].frames_per_second
-    selection = Selection(described.train, described.validation, described.data.space, rate)
+    selection = Selection(
+        described.train, described.validation, described.data.space, rate, described.groups
+    )
     return Learnt(described, ridge, selection, rooms.tracking)

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from silpose.dataset import Dataset, poses
 from silpose.descriptor import ShapeContextHistogram
 from silpose.evaluation import baselines, measure
-from silpose.experiments.rooms import Rooms, describe, learn_descriptor
+from silpose.experiments.descriptors import describe, learn_descriptor
+from silpose.experiments.rooms import Rooms
 from silpose.model import PoseModel
 from silpose.regression import Candidates, Chosen, Regressor
 from silpose.run import Run
@@ -49,7 +50,12 @@ class Described:
         train, validation = self.examples("train", part), self.examples("validation", part)
         space = self.data.space
         units = space.units if part is None else space.units[space.parts[part]]
-        return candidates.choose(methods, train, validation, self.error(part), units)
+        return candidates.choose(methods, train, validation, self.error(part), units, self.groups)
+
+    @property
+    def groups(self) -> list[str] | None:
+        """Performers of the training sequences, where these are what may not be mixed."""
+        return [take.performer for take in self.data.train] if self.data.by_performer else None
 
     def examples(self, split: str, part: str | None = None) -> Examples:
         """Give z and x of each sequence of a split, x whole or one part's columns."""
@@ -86,9 +92,21 @@ def prepare(rooms: Rooms, run: Run) -> Described:
     with run.stage("masks"):
         data = rooms.dataset()
     with run.stage("descriptors"):
-        descriptor = learn_descriptor(rooms, data)
-        parts = (describe(descriptor, part) for part in (data.train, data.validation, data.test))
-        return Described(data, descriptor, *parts)
+        return described(rooms, data)
+
+
+def described(rooms: Rooms, data: Dataset) -> Described:
+    """Learn the codebook and describe every mask, or take both from the shelf."""
+    splits = [data.train, data.validation, data.test]
+    lengths = [len(take) for split in splits for take in split]
+    kept = rooms.shelf.fetch(lengths) if rooms.shelf else None
+    descriptor = kept[0] if kept else learn_descriptor(rooms.descriptor, data.train)
+    z = kept[1] if kept else [own for split in splits for own in describe(descriptor, split)]
+    if rooms.shelf and descriptor is not None and not kept:
+        rooms.shelf.store(descriptor, z)
+    rest = iter(z)
+    parts = ([(next(rest), take.x) for take in split] for split in splits)
+    return Described(data, descriptor, *parts)
 
 
 def compare(

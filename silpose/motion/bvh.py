@@ -1,4 +1,4 @@
-"""Poses from a folder of BVH motion capture files."""
+"""BVH files: read with every defect named, and written."""
 
 from __future__ import annotations
 
@@ -6,87 +6,92 @@ import re
 import shutil
 import tempfile
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 import pybvh
+from numpy.typing import NDArray
 
 from silpose.errors import InputError
+from silpose.motion.joint_names import Names, match_joints
+from silpose.motion.rest import find_rest
 from silpose.motion.retarget import retarget
-from silpose.motion.track import Motion
+from silpose.motion.source import SourceMotion
+
+Array = NDArray[np.float64]
+
+LARGEST = 1e6
+"""Larger numbers, be they degrees or units of length, are damage."""
+
+SHORTEST = 1e-6
+"""Of a leg, in the file's unit."""
+
+SLOWEST, FASTEST = 1.0, 10_000.0
+"""Frames per second between which a file's rate is believed."""
 
 
-class BvhFolder:
-    """Takes from every BVH file in a folder and its subfolders.
+def bvh_take(file: Path, frames_per_second: float, names: Names) -> tuple[Array, Array]:
+    """Read a BVH file and put its motion on our skeleton.
 
     Parameters
     ----------
-    root : str or Path
-        The folder. Files end in ``.bvh``, have +Y up, and a skeleton of a kind listed in
-        `silpose.motion.source_skeleton.SOURCE_JOINTS`.
+    file : Path
+        With +Y up.
     frames_per_second : float
-        To which the takes are resampled.
-    performer : str
-        Regular expression on a file's stem; its first group names the performer. Where it does
-        not match, the name of the file's folder does.
+        Of the result; rotations are interpolated on the sphere.
+    names : mapping of str to sequence of str
+        For each of our joints the names it may have.
+
+    Returns
+    -------
+    angles : ndarray, shape (F, 54)
+        Degrees.
+    root_position : ndarray, shape (F, 3)
+        Metres.
     """
+    bvh = read_bvh(file)
+    joints = bvh_joints(bvh, names, str(file))
+    zero = bvh[:1]
+    zero.joint_angles = np.zeros_like(zero.joint_angles)
+    whole = source_motion(bvh, joints)
+    leg = whole.positions["left_hip"][0] - whole.positions["left_ankle"][0]
+    if np.linalg.norm(leg) < SHORTEST:
+        raise InputError(f"{file}: its legs have no length; export it with its skeleton's offsets")
+    constants, dropped = find_rest(whole, source_motion(zero, joints), str(file))
+    resampled = bvh[dropped:].resample(frames_per_second)
+    return retarget(source_motion(resampled, joints), constants, frames_per_second)
 
-    def __init__(
-        self, root: str | Path, frames_per_second: float = 15.0, performer: str = r"^(\d+)_"
-    ) -> None:
-        if not frames_per_second > 0:
-            raise InputError(
-                f"motion.frames_per_second must be a positive number, not {frames_per_second}"
-            )
-        try:
-            groups = re.compile(performer).groups
-        except re.error as error:
-            raise InputError(
-                f"motion.performer '{performer}' is no regular expression: {error}"
-            ) from error
-        if groups < 1:
-            raise InputError(
-                f"motion.performer '{performer}' needs a group in parentheses around the "
-                "performer's name"
-            )
-        self.root = root
-        self.frames_per_second = frames_per_second
-        self.performer = performer
 
-    def takes(self) -> list[Motion]:
-        """Read and retarget all files, sorted by file name.
+def bvh_joints(bvh: pybvh.Bvh, names: Names, file: str) -> dict[str, str]:
+    """Find which of a file's joints, or end sites (``NAME/end``), plays which of our roles."""
+    joints = match_joints(bvh.joint_names, names, file)
+    for side in ("left", "right"):
+        hand, wrist = f"{side}_hand", joints[f"{side}_wrist"]
+        if hand not in joints:
+            (first, *_) = [n for n in bvh.nodes if n.parent and n.parent.name == wrist] or [None]
+            if first is not None and np.linalg.norm(first.offset) > 0:
+                joints[hand] = _name(first)
+    return joints
 
-        Returns
-        -------
-        takes : list of Motion
-            Each named by its file's path in the folder, without the ending.
 
-        Raises
-        ------
-        InputError
-            If the folder or a file in it cannot be used; the message names it.
-        """
-        return [self._take(file) for file in self._files()]
+def source_motion(bvh: pybvh.Bvh, joints: Mapping[str, str]) -> SourceMotion:
+    """Forward kinematics of a file's frames, by our joints' names."""
+    _, local = bvh.to_rotmat()
+    world: dict[str, Array] = {}
+    for j, name in enumerate(bvh.joint_names):
+        parent = bvh.nodes[bvh.node_index[name]].parent
+        world[name] = local[:, j] if parent is None else world[parent.name] @ local[:, j]
+    positions = bvh.node_positions()
+    nodes = {_name(node): n for n, node in enumerate(bvh.nodes)}
+    return SourceMotion(
+        rotations={ours: world[name] for ours, name in joints.items() if not ours.endswith("hand")},
+        positions={ours: positions[:, nodes[name]] for ours, name in joints.items()},
+    )
 
-    def _files(self) -> list[Path]:
-        root = Path(self.root)
-        if not root.is_dir():
-            raise InputError(f"{root}: no such folder; give the one that holds your BVH files")
-        files = [f for f in root.rglob("*") if f.suffix.lower() == ".bvh" and f.is_file()]
-        if not files:
-            raise InputError(f"{root}: no .bvh files in this folder or its subfolders")
-        return sorted(files, key=lambda file: (file.name, file))
 
-    def _take(self, file: Path) -> Motion:
-        angles, position = retarget(read_bvh(file), self.frames_per_second, str(file))
-        found = re.search(self.performer, file.stem)
-        return Motion(
-            name=file.relative_to(self.root).with_suffix("").as_posix(),
-            performer=(found and found.group(1)) or file.resolve().parent.name,
-            frames_per_second=float(self.frames_per_second),
-            angles=angles,
-            root_position=position,
-        )
+def _name(node: pybvh.bvhnode.BvhNode) -> str:
+    return f"{node.parent.name}/end" if node.is_end_site() else node.name
 
 
 def read_bvh(file: str | Path) -> pybvh.Bvh:
@@ -105,54 +110,67 @@ def read_bvh(file: str | Path) -> pybvh.Bvh:
     ------
     InputError
         If it is no BVH file, is truncated, has no frames, no frame time or a number that is
-        not finite.
+        not finite or not plausible.
     """
     file = Path(file)
-    _check_header(file)
+    first_line = _check_header(file)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the empty motion has its own message below
         try:
             bvh = _parse(file)
-        except (ValueError, IndexError, OSError) as error:
+        except (ValueError, IndexError, OSError, RecursionError) as error:
             reason = str(error).splitlines()[0] if str(error) else type(error).__name__
             raise InputError(
                 f"{file}: cannot be read as BVH, it may be truncated or damaged ({reason}); "
                 "export or download it again"
             ) from error
+    names = bvh.joint_names
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise InputError(f"{file}: has two joints '{twice[0]}'; give each a name of its own")
     offsets = np.array([node.offset for node in bvh.nodes])
-    if not np.isfinite(offsets).all():
-        raise InputError(f"{file}: an OFFSET is not a finite number; export the file again")
-    for values in (bvh.root_pos, bvh.joint_angles.reshape(bvh.frame_count, -1)):
-        bad = np.flatnonzero(~np.isfinite(values).all(axis=1))
-        if len(bad):
+    bad = ~(np.abs(offsets) < LARGEST).all(axis=1)
+    if bad.any():
+        joint = bvh.nodes[int(np.argmax(bad))].name
+        raise InputError(
+            f"{file}: the OFFSET of '{joint}' is not finite or huge; export the file again"
+        )
+    degrees = np.rad2deg(bvh.joint_angles).reshape(bvh.frame_count, -1)
+    for what, values in (("position", bvh.root_pos), ("rotation", degrees)):
+        bad = ~(np.abs(values) < LARGEST).all(axis=1)
+        if bad.any():
+            frame = int(np.argmax(bad))
             raise InputError(
-                f"{file}: frame {bad[0]} holds a number that is not finite; remove such frames "
-                "or export the file again"
+                f"{file}: frame {frame}, line {first_line + frame}, holds a {what} that is not "
+                "finite or huge; remove such frames or export the file again"
             )
     return bvh
 
 
-def _check_header(file: Path) -> None:
-    """Judge the number of frames and the frame time, whose absence pybvh does not tell apart."""
+def _check_header(file: Path) -> int:
+    """Judge what pybvh does not tell apart; give the number of the first frame's line."""
     try:
-        header = file.read_text(encoding="utf-8", errors="replace")
+        text = file.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
         raise InputError(f"{file}: cannot be read ({error.strerror})") from error
-    if "HIERARCHY" not in header or "ROOT" not in header:
+    if "HIERARCHY" not in text or "ROOT" not in text:
         raise InputError(f"{file}: is no BVH file (no HIERARCHY with a ROOT); remove or replace it")
-    frames = re.search(r"^\s*Frames:\s*(\S+)", header, re.MULTILINE)
-    seconds = re.search(r"^\s*Frame Time:\s*(\S+)", header, re.MULTILINE)
+    frames = re.search(r"^\s*Frames:\s*(\S+)", text, re.MULTILINE)
+    seconds = re.search(r"^\s*Frame Time:\s*(\S+)", text, re.MULTILINE)
     if frames is None or seconds is None:
         raise InputError(
             f"{file}: has no 'Frames:' or no 'Frame Time:' line, it may be truncated; export or "
             "download it again"
         )
+    line = text.count("\n", 0, frames.start(1)) + 1
     if _number(frames[1]) == 0:
-        raise InputError(f"{file}: has no motion frames; export it with its motion")
-    if not 0 < _number(seconds[1]) < np.inf:
+        raise InputError(f"{file}: line {line}: has no motion frames; export it with its motion")
+    line = text.count("\n", 0, seconds.start(1)) + 1
+    if not 1 / FASTEST <= _number(seconds[1]) <= 1 / SLOWEST:
         raise InputError(
-            f"{file}: its frame time is '{seconds[1]}'; it must be a positive number of seconds"
+            f"{file}: line {line}: its frame time is '{seconds[1]}'; it must be a positive number "
+            f"of seconds, {1 / FASTEST:g} to {1 / SLOWEST:g}"
         )
+    return line + 1
 
 
 def _number(text: str) -> float:

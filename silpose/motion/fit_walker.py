@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from silpose.errors import InputError
-from silpose.motion.bvh import BvhFolder
+from silpose.motion.folder import MotionFolder
 from silpose.motion.gait import Steps, fit_harmonics, mirrored, steady_steps
 from silpose.motion.track import Motion
 from silpose.motion.walker import Variation
@@ -40,7 +40,7 @@ def main() -> None:
     parser.add_argument("--output", default=str(FILE), help="the file to write")
     arguments = parser.parse_args()
     try:
-        model = fit([BvhFolder(root, frames_per_second=30).takes() for root in arguments.roots])
+        model = fit([MotionFolder(root, frames_per_second=30).takes() for root in arguments.roots])
     except InputError as error:
         sys.exit(str(error))
     model.save(arguments.output)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,8 @@ class Motion:
         the person's own left.
     root_position : ndarray, shape (F, 3)
         Metres, in the world, +Y up; the ground is at height 0.
+    synthetic : bool
+        Whether it comes from a model fitted to real performers, and so is no stranger to them.
     """
 
     name: str
@@ -34,6 +36,13 @@ class Motion:
     frames_per_second: float
     angles: Array
     root_position: Array
+    synthetic: bool = False
 
     def __len__(self) -> int:
         return len(self.angles)
+
+    def part(self, start: int, stop: int) -> Motion:
+        """Cut frames out."""
+        return replace(
+            self, angles=self.angles[start:stop], root_position=self.root_position[start:stop]
+        )

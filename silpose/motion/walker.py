@@ -137,7 +137,14 @@ class Walker:
         position[:, 2] -= sway * np.sin(azimuth)
         position[:, 1] = skeleton.standing_height(rotations)
         angles[:, 0] = (angles[:, 0] + direction + 180.0) % 360.0 - 180.0
-        return Motion(name, performer, float(frames_per_second), angles[::_FINE], position[::_FINE])
+        return Motion(
+            name,
+            performer,
+            float(frames_per_second),
+            angles[::_FINE],
+            position[::_FINE],
+            synthetic=True,
+        )
 
     def _strides(self, time: Array, rng: np.random.Generator) -> Array:
         """Strides walked at each time, shape (F,), of uneven durations."""

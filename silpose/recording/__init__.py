@@ -1,6 +1,8 @@
 """Recordings: the only room that knows Rerun."""
 
+from silpose.recording.codebook_picture import codebook_picture
 from silpose.recording.compare import compare
+from silpose.recording.context_space import ContextSpace, record_context_space
 from silpose.recording.notebook import show
 from silpose.recording.picture import film, picture
 from silpose.recording.read import read_poses
@@ -12,13 +14,16 @@ from silpose.recording.texts import texts
 from silpose.recording.tracking import record_extinction, record_tracking
 
 __all__ = [
+    "ContextSpace",
     "Reasons",
     "Truth",
+    "codebook_picture",
     "compare",
     "film",
     "picture",
     "read_poses",
     "record_bridges",
+    "record_context_space",
     "record_extinction",
     "record_features",
     "record_prediction",

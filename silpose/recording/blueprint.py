@@ -4,36 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import rerun as rr
 import rerun.blueprint as rrb
 
 from silpose.recording import entities
-
-_GROUND = rrb.LineGrid3D(spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80])
-
-
-_EYE = rrb.EyeControls3D(
-    kind=rrb.Eye3DKind.Orbital,
-    position=[0.95, 1.15, 2.0],
-    look_target=[0.0, 0.85, 0.0],
-    eye_up=[0, 1, 0],
+from silpose.recording.views import (
+    FROM_THE_SIDE,
+    Window,
+    bars_view,
+    bodies_view,
+    codebook_view,
+    from_the_front,
+    histogram_view,
+    layout,
+    mask_view,
+    seen_view,
+    series_view,
+    texts_view,
 )
-
-
-def _front(away: float) -> rrb.EyeControls3D:
-    return rrb.EyeControls3D(
-        kind=rrb.Eye3DKind.Orbital,
-        position=[0.0, 1.2, away],
-        look_target=[0.0, 0.95, 0.0],
-        eye_up=[0, 1, 0],
-    )
 
 
 def single_image(
     shown: Sequence[str],
     frames_per_second: float,
     metric: str,
-    masks: bool = True,
+    window: Window | None = None,
     reasons: bool = False,
 ) -> rrb.Blueprint:
     """Lay out what a single-image regressor sees, answers, and how far off it is.
@@ -45,32 +39,44 @@ def single_image(
     frames_per_second : float
     metric : str
         Of the errors.
-    masks, reasons : bool
+    window : Window or None
+        Of the masks; None if there are no masks.
+    reasons : bool
         Whether there are any to show.
     """
     answered = rrb.Vertical(
-        _body_view("true (blue) and estimated (orange) pose; left side light, right side dark"),
-        _series("heading, degrees", [entities.TRUE_HEADING, entities.ESTIMATED_HEADING]),
-        _series(
+        bodies_view(
+            "true (blue) and estimated (orange) pose; left side light, right side dark",
+            [entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON],
+            FROM_THE_SIDE,
+        ),
+        series_view("heading, degrees", [entities.TRUE_HEADING, entities.ESTIMATED_HEADING]),
+        series_view(
             "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
         ),
-        _series(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
+        series_view(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
         row_shares=[3.4, 1, 0.7, 1],
     )
-    return _layout([_seen(masks), answered, _texts(reasons)], [1, 1.9, 1], frames_per_second)
+    return layout(
+        [seen_view(window), answered, texts_view(reasons)], [1.3, 1.7, 1], frames_per_second
+    )
 
 
-def predict(frames_per_second: float) -> rrb.Blueprint:
+def predict(frames_per_second: float, window: Window) -> rrb.Blueprint:
     """Lay out poses estimated from masks whose truth nobody knows."""
     answered = rrb.Vertical(
-        _body_view("estimated pose; left side light, right side dark"),
-        _series("heading, degrees", [entities.ESTIMATED_HEADING]),
-        _series(
+        bodies_view(
+            "estimated pose; left side light, right side dark",
+            [entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON],
+            FROM_THE_SIDE,
+        ),
+        series_view("heading, degrees", [entities.ESTIMATED_HEADING]),
+        series_view(
             "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
         ),
         row_shares=[3.4, 1, 0.7],
     )
-    return _layout([_seen(), answered, _texts()], [1, 1.9, 0.8], frames_per_second)
+    return layout([seen_view(window), answered, texts_view()], [1.3, 1.7, 0.8], frames_per_second)
 
 
 def tracking(
@@ -79,44 +85,43 @@ def tracking(
     """Lay out several methods' estimates side by side, and a tracker's state below."""
     headings = [entities.TRUE_HEADING, *(f"{entities.TRACKS}/{m}/heading" for m in methods[-1:])]
     answered = rrb.Vertical(
-        rrb.Spatial3DView(
-            origin="/",
-            contents=[
+        bodies_view(
+            "true (blue) and estimated poses",
+            [
                 entities.TRUE_SKELETON,
                 entities.TRACK_NAMES,
                 *(f"{entities.TRACKS}/{method}/skeleton" for method in methods),
             ],
-            name="true (blue) and estimated poses",
-            background=[22, 24, 28],
-            line_grid=_GROUND,
-            eye_controls=_front(0.75 * len(methods) + 0.3),
+            from_the_front(0.75 * len(methods) + 0.3),
         ),
         rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
-        _series("heading, degrees", headings),
-        _series(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in ("ridge", "tracker")]),
+        series_view("heading, degrees", headings),
+        series_view(
+            metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in ("ridge", "tracker")]
+        ),
         row_shares=[3.2, 0.5, 1, 1],
     )
-    belief = _bars(entities.BELIEF, "tracking: belief over key poses")
+    belief = bars_view(entities.BELIEF, "tracking: belief over key poses")
     mask = rrb.Spatial2DView(
         origin=entities.CAMERA, contents=[entities.MASK], name="silhouette: mask"
     )
     seen = rrb.Vertical(mask, belief, row_shares=[1.5, 1]) if masks else rrb.Vertical(belief)
-    return _layout([seen, answered, _texts()], [1, 2.6, 1.1], frames_per_second)
+    return layout([seen, answered, texts_view()], [1, 2.6, 1.1], frames_per_second)
 
 
 def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
     """Lay out kernels that stop firing, and what becomes of the track."""
     kernels = [
-        _bars(f"{entities.KERNELS}/{t.replace(' ', '_')}", f"activation of the kernels: {t}")
+        bars_view(f"{entities.KERNELS}/{t.replace(' ', '_')}", f"activation of the kernels: {t}")
         for t in trackers
     ]
     shown = rrb.Vertical(
         rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
         rrb.Horizontal(*kernels),
-        _series("error", [f"{entities.ERROR}/**"]),
+        series_view("error", [f"{entities.ERROR}/**"]),
         row_shares=[2.2, 1, 1],
     )
-    return _layout([shown, _texts()], [2.4, 1], frames_per_second)
+    return layout([shown, texts_view()], [2.4, 1], frames_per_second)
 
 
 def comparison(
@@ -139,47 +144,47 @@ def comparison(
         f"{entities.TRACKS}/**",
     )
     views = [
-        rrb.Spatial3DView(
-            origin=f"/{run}",
-            contents=[f"$origin{path}" for path in bodies],
-            name=run,
-            background=[22, 24, 28],
-            line_grid=_GROUND,
-            eye_controls=_front(2.6 if side_by_side else 1.4),
+        bodies_view(
+            run,
+            [f"$origin{path}" for path in bodies],
+            from_the_front(2.6 if side_by_side else 1.4),
+            f"/{run}",
         )
         for run in drawn
     ]
     shown = rrb.Vertical(
         rrb.Grid(*views, grid_columns=1 if side_by_side else min(len(views), 3)),
-        _series("error", [f"/{run}{entities.ERROR}/{method}" for run, method in drawn.items()]),
+        series_view("error", [f"/{run}{entities.ERROR}/{method}" for run, method in drawn.items()]),
         row_shares=[3 if side_by_side else 2, 1],
     )
     results = rrb.TextDocumentView(origin=entities.METRICS, name="results")
-    return _layout([shown, results], [2.4, 1], frames_per_second)
+    return layout([shown, results], [2.4, 1], frames_per_second)
 
 
-def study(title: str, frames_per_second: float) -> rrb.Blueprint:
-    """Lay out a figure, and the errors behind it over time."""
-    shown = rrb.Vertical(
-        rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
-        _series(title, [f"{entities.ERROR}/**"]),
-        row_shares=[1.6, 1],
-    )
-    return _layout([shown, _texts()], [2.4, 1], frames_per_second)
+def study(title: str | None, frames_per_second: float, masks: bool = False) -> rrb.Blueprint:
+    """Lay out a figure and, where they have a title, the errors behind it, beside the masks."""
+    figure = rrb.Spatial2DView(origin=entities.FIGURE, name="figure")
+    if title is None:
+        return layout([figure, texts_view()], [2.4, 1], frames_per_second)
+    below: rrb.Container | rrb.View = series_view(title, [f"{entities.ERROR}/**"])
+    if masks:
+        below = rrb.Horizontal(mask_view("silhouette"), below, column_shares=[1, 2.4])
+    shown = rrb.Vertical(figure, below, row_shares=[1.6, 1])
+    return layout([shown, texts_view()], [2.4, 1], frames_per_second)
 
 
 def bridges() -> rrb.Blueprint:
     """Lay out how the columns of an RVM vanish; a frame is an iteration."""
     shown = rrb.Vertical(
         rrb.Spatial2DView(origin=entities.FIGURE, name="figure"),
-        _bars(entities.COLUMN_NORMS, "regression: size of every basis function's column"),
+        bars_view(entities.COLUMN_NORMS, "regression: size of every basis function's column"),
         rrb.Horizontal(
-            _series("columns left", [entities.COLUMNS_LEFT]),
-            _series("objective (Eq. 5) of the columns left", [entities.OBJECTIVE]),
+            series_view("columns left", [entities.COLUMNS_LEFT]),
+            series_view("objective (Eq. 5) of the columns left", [entities.OBJECTIVE]),
         ),
         row_shares=[1.6, 1, 0.8],
     )
-    return _layout([shown, _texts()], [2.4, 1], 2.0)
+    return layout([shown, texts_view()], [2.4, 1], 2.0)
 
 
 def features(parts: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
@@ -192,77 +197,14 @@ def features(parts: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
         )
         for part in parts
     ]
-    return _layout([rrb.Grid(*views, grid_columns=3), _texts()], [2.6, 1], frames_per_second)
+    return layout([rrb.Grid(*views, grid_columns=3), texts_view()], [2.6, 1], frames_per_second)
 
 
-def _layout(
-    columns: Sequence[rrb.Container | rrb.View], shares: Sequence[float], frames_per_second: float
-) -> rrb.Blueprint:
-    return rrb.Blueprint(
-        rrb.Horizontal(*columns, column_shares=shares),
-        rrb.BlueprintPanel(state="collapsed"),
-        rrb.SelectionPanel(state="collapsed"),
-        rrb.TimePanel(
-            state="collapsed", timeline="frame", fps=frames_per_second, play_state="paused"
-        ),
-        auto_layout=False,
-        auto_views=False,
+def space(frames_per_second: float) -> rrb.Blueprint:
+    """Lay out a silhouette, where its edge points are among all contexts, and the codebook."""
+    plane = rrb.Spatial2DView(
+        origin=entities.SPACE, name="shape contexts: all (grey), centres, this silhouette's"
     )
-
-
-def _seen(masks: bool = True) -> rrb.Container:
-    bars = [
-        _bars(entities.HISTOGRAM, "descriptor: histogram of shape contexts"),
-        _bars(entities.ACTIVATIONS, "regression: activation of each relevance vector"),
-    ]
-    if not masks:
-        return rrb.Vertical(*bars)
-    return rrb.Vertical(_mask_view(), *bars, row_shares=[2.2, 1, 1])
-
-
-def _mask_view() -> rrb.Spatial2DView:
-    return rrb.Spatial2DView(
-        origin=entities.CAMERA,
-        contents=[entities.MASK, entities.EDGE_POINTS],
-        name="silhouette: mask and edge points",
-    )
-
-
-def _body_view(name: str) -> rrb.Spatial3DView:
-    return rrb.Spatial3DView(
-        origin="/",
-        contents=[entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON],
-        name=name,
-        background=[22, 24, 28],
-        line_grid=_GROUND,
-        eye_controls=_EYE,
-    )
-
-
-def _bars(entity: str, name: str) -> rrb.BarChartView:
-    return rrb.BarChartView(origin=entity, name=name, plot_legend=rrb.PlotLegend(visible=False))
-
-
-def _series(
-    name: str, contents: Sequence[str], span: tuple[float, float] | None = None
-) -> rrb.TimeSeriesView:
-    return rrb.TimeSeriesView(
-        origin="/",
-        contents=list(contents),
-        name=name,
-        plot_legend=rrb.Corner2D.LeftTop,
-        axis_y=rrb.ScalarAxis(range=span) if span else None,
-    )
-
-
-def _texts(reasons: bool = False) -> rrb.Container:
-    texts = [
-        rrb.TextDocumentView(origin=entities.METRICS, name="results"),
-        rrb.TextDocumentView(origin=entities.SETTINGS, name="settings"),
-    ]
-    if not reasons:
-        return rrb.Vertical(*texts, row_shares=[1, 1.3])
-    why = rrb.Spatial2DView(
-        origin=entities.REASONS, name="why this pose? training examples and their weight"
-    )
-    return rrb.Vertical(texts[0], why, texts[1], row_shares=[1, 1, 0.6])
+    seen = rrb.Vertical(mask_view(), histogram_view(), row_shares=[2.2, 1])
+    told = rrb.Vertical(codebook_view(), texts_view(), row_shares=[1.3, 1])
+    return layout([seen, plane, told], [1, 1.7, 1], frames_per_second)

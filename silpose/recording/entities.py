@@ -11,6 +11,12 @@ EDGE_POINTS = "/silhouette/camera/edge_points"
 SEQUENCE = "/dataset/sequence"
 
 HISTOGRAM = "/descriptor/histogram"
+CODEBOOK = "/descriptor/codebook"
+VOTES = "/descriptor/codebook/votes"
+SPACE = "/descriptor/space"  # the plane of two principal components of shape contexts
+SPACE_CONTEXTS = "/descriptor/space/contexts"
+SPACE_CENTRES = "/descriptor/space/centres"
+SPACE_POINTS = "/descriptor/space/points"
 
 ESTIMATED_SKELETON = "/regression/skeleton"
 ESTIMATED_POSE = "/regression/pose"

@@ -95,6 +95,26 @@ class Track:
             [len(p) for p in points],
         )
 
+    def coloured_points(
+        self,
+        entity: str,
+        points: Sequence[NDArray[Any]],
+        colours: NDArray[np.uint8],
+        kinds: Sequence[NDArray[np.integer]],
+        radius: float,
+    ) -> None:
+        """Log points in a picture, per frame (P, 2), each in the colour of its kind (P,)."""
+        self._recording.log(
+            entity, rr.Points2D.from_fields(radii=rr.Radius.ui_points(radius)), static=True
+        )
+        self.columns(
+            entity,
+            rr.Points2D.columns(
+                positions=np.concatenate(points), colors=colours[np.concatenate(kinds)]
+            ),
+            [len(p) for p in points],
+        )
+
     def bars(self, entity: str, values: Array, colour: palette.Colour) -> None:
         """Log a bar chart per frame, ``values (F, B)``."""
         for frame, row in enumerate(values.astype(np.float32)):  # half the file

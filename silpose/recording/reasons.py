@@ -83,6 +83,7 @@ def _drawings(
     for row in rows:
         k = int(np.searchsorted(starts, row, side="right")) - 1
         take, frame = training[k], row - starts[k]
+        camera = take.camera or camera
         joints = space.joints(take.x[frame : frame + 1])[0]
         if take.masks is None:  # nobody knows the camera: look straight at it
             flat = _SIZE * np.array([0.5, 1.0]) + 0.9 * _SIZE * joints[:, :2] * [1, -1]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import cv2
 import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
@@ -14,9 +15,11 @@ from numpy.typing import NDArray
 from silpose.dataset import Sequence as Take
 from silpose.pose import ANGLES, PoseSpace
 from silpose.recording import blueprint, entities, palette
+from silpose.recording.codebook_picture import log_codebook
 from silpose.recording.log import Track
 from silpose.recording.reasons import Reasons, log_reasons
 from silpose.recording.stream import recording_stream
+from silpose.recording.views import Window
 from silpose.silhouette import Camera
 from silpose.skeleton import standing_height
 
@@ -94,10 +97,10 @@ def record_single_image(
     """
     space, rate = model.space, model.frames_per_second
     layout = blueprint.single_image(
-        shown, rate, space.metrics[0], masks=bool(look.masks), reasons=reasons is not None
+        shown, rate, space.metrics[0], _window(look.masks), reasons=reasons is not None
     )
     with recording_stream(path, name, texts, layout) as recording:
-        track = _log_look(recording, look, rate)
+        track = _log_look(recording, model, look, rate)
         if truth.camera is not None:
             track.camera(truth.camera, truth.aim)
         if reasons is not None:
@@ -144,8 +147,9 @@ def record_prediction(
     texts : mapping of str to str
         Markdown by entity.
     """
-    with recording_stream(path, name, texts, blueprint.predict(frames_per_second)) as recording:
-        track = _log_look(recording, look, frames_per_second)
+    layout = blueprint.predict(frames_per_second, _window(look.masks) or (0.0, 1.0, 0.0, 1.0))
+    with recording_stream(path, name, texts, layout) as recording:
+        track = _log_look(recording, model, look, frames_per_second)
         height, width = np.max([np.shape(mask) for mask in look.masks], axis=0)
         track.image_plane(int(width), int(height))
         root = np.zeros((len(look.x), 3))
@@ -154,12 +158,29 @@ def record_prediction(
         _log_estimate(track, model.space, look.x, root)
 
 
-def _log_look(recording: rr.RecordingStream, look: Look, frames_per_second: float) -> Track:
+def _window(masks: Sequence[NDArray[np.uint8]]) -> Window | None:
+    """Where people are in any of the masks, with a margin; None if there are no masks."""
+    boxes = [cv2.boundingRect(np.asarray(mask != 0).view(np.uint8)) for mask in masks if mask.any()]
+    if not boxes:
+        return None
+    left, top, width, height = np.array(boxes, dtype=float).T
+    margin = 0.08 * height.max()
+    ends = left.min(), (left + width).max(), top.min(), (top + height).max()
+    return ends[0] - margin, ends[1] + margin, ends[2] - margin, ends[3] + margin
+
+
+def _log_look(
+    recording: rr.RecordingStream, model: PoseModel, look: Look, frames_per_second: float
+) -> Track:
     track = Track(recording, len(look.x), frames_per_second)
-    if look.masks:
+    shares = look.z / look.z.sum(axis=1, keepdims=True)
+    if look.masks and model.descriptor is not None:
+        codebook = model.descriptor.codebook_
         track.masks(look.masks)
-        track.points(entities.EDGE_POINTS, look.points, palette.EDGE)
-    track.bars(entities.HISTOGRAM, look.z, palette.TRUE)
+        colours = np.array([palette.hue(k, len(codebook)) for k in range(len(codebook))], np.uint8)
+        track.coloured_points(entities.EDGE_POINTS, look.points, colours, look.nearest, 2.2)
+        log_codebook(recording, track, codebook, model.descriptor.angular_bins, shares)
+    track.bars(entities.HISTOGRAM, 100 * shares, palette.TRUE)
     track.bars(entities.ACTIVATIONS, look.activations, palette.ESTIMATED)
     return track
 

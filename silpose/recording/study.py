@@ -24,6 +24,7 @@ def record_study(
     title: str,
     frames_per_second: float,
     texts: Mapping[str, str],
+    masks: Sequence[NDArray[np.uint8]] = (),
 ) -> None:
     """Write a figure, and errors over time of whatever is compared.
 
@@ -35,17 +36,22 @@ def record_study(
     figure : Path
         Of a PNG.
     series : mapping of str to ndarray, shape (F,)
-        Errors by what is compared.
+        Errors by what is compared; none for a figure alone.
     title : str
         Of the errors.
     frames_per_second : float
     texts : mapping of str to str
         Markdown by entity.
+    masks : sequence of ndarray, each (H, W), optional
+        What was seen.
     """
-    layout = blueprint.study(title, frames_per_second)
+    layout = blueprint.study(title if series else None, frames_per_second, bool(len(masks)))
     with recording_stream(path, name, texts, layout) as recording:
         recording.log(entities.FIGURE, rr.EncodedImage(path=figure), static=True)
-        track = Track(recording, len(next(iter(series.values()))), frames_per_second)
+        track = Track(recording, len(next(iter(series.values()), ())), frames_per_second)
+        if len(masks):
+            track.image_plane(masks[0].shape[1], masks[0].shape[0])
+            track.masks(masks)
         for k, (what, errors) in enumerate(series.items()):
             entity = f"{entities.ERROR}/{what.replace(' ', '_')}"
             track.series(entity, errors, what, palette.hue(k, len(series)), 1.5)

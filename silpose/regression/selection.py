@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from math import ceil
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from silpose.errors import InputError
+from silpose.dataset.folds import folds as sequence_folds
 from silpose.progress import bar
 from silpose.regression.basis import Basis
 from silpose.regression.bridges import Bridges, cross
@@ -34,6 +35,7 @@ Error = Callable[[Array, Array], float]
 
 _FIRST_NU = 16.0  # of the path to a wanted sparsity
 _FOLDS = 5  # of cross-validation, if no sequences are set aside for validation
+_FOLDED = 10_000  # frames, about, that cross-validation needs; of more it takes an even share
 
 
 @dataclass
@@ -78,6 +80,7 @@ class Candidates:
         validation: Examples,
         error: Error,
         units: ArrayLike = 1.0,
+        groups: Sequence[str] | None = None,
     ) -> Chosen:
         """Fit every method to all training sequences, with the settings best on validation.
 
@@ -93,9 +96,12 @@ class Candidates:
             Of true and estimated poses, as a mean over frames.
         units : array-like, shape (D,)
             Of the outputs, which the SVM's tube is a multiple of.
+        groups : sequence of str, optional
+            Of each training sequence; without validation sequences, one group is left out at a
+            time, and no fold has sequences of a group on both sides.
         """
         whole = _Problem(self.basis, *_joined(train))
-        folds = [_Fold(whole, *_joined(validation))] if validation else self._folds(train)
+        folds = [_Fold(whole, *_joined(validation))] if validation else self._folds(train, groups)
         chosen = Chosen()
         with bar("regression", len(folds) * (len(self.basis.widths()) + 1) + len(methods)) as step:
             width, damping = self._width_and_damping(folds, error, chosen, step)
@@ -116,19 +122,13 @@ class Candidates:
         chosen.regressors = {method: chosen.regressors[method] for method in methods}
         return chosen
 
-    def _folds(self, train: Examples) -> list[_Fold]:
-        """Deal the sequences into folds of about equal size, the longest first."""
-        if len(train) < 2:
-            raise InputError("choosing settings needs a validation sequence, or two for training")
-        parts: list[list[int]] = [[] for _ in range(min(_FOLDS, len(train)))]
-        for k in sorted(range(len(train)), key=lambda k: -len(train[k][0])):
-            min(parts, key=lambda part: sum(len(train[i][0]) for i in part)).append(k)
+    def _folds(self, train: Examples, groups: Sequence[str] | None) -> list[_Fold]:
+        """Make one fold of every group, or deal sequences into folds of about equal size."""
+        step = ceil(sum(len(z) for z, _ in train) / _FOLDED)
+        thinned = [(z[::step], x[::step]) for z, x in train]
         return [
-            _Fold(
-                _Problem(self.basis, *_joined([t for k, t in enumerate(train) if k not in part])),
-                *_joined([train[k] for k in part]),
-            )
-            for part in parts
+            _Fold(_Problem(self.basis, *_joined(learnt)), *_joined(judged))
+            for learnt, judged in sequence_folds(thinned, most=_FOLDS, groups=groups)
         ]
 
     def _width_and_damping(

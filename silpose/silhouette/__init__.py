@@ -1,8 +1,23 @@
 """Where masks come from: a posed body before a camera, or image files."""
 
-from silpose.silhouette.body import Body
+from silpose.silhouette.body import BODIES, LEVELS, Body
 from silpose.silhouette.camera import Camera
+from silpose.silhouette.degradation import Degradation
+from silpose.silhouette.degrade import DEGRADATIONS, contour_damage, degrade
 from silpose.silhouette.files import mask_files, read_mask, read_masks
 from silpose.silhouette.render import render
 
-__all__ = ["Body", "Camera", "mask_files", "read_mask", "read_masks", "render"]
+__all__ = [
+    "BODIES",
+    "DEGRADATIONS",
+    "LEVELS",
+    "Body",
+    "Camera",
+    "Degradation",
+    "contour_damage",
+    "degrade",
+    "mask_files",
+    "read_mask",
+    "read_masks",
+    "render",
+]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from mannequin import Mannequin
@@ -16,7 +17,8 @@ from silpose.skeleton import JOINTS, spine_thirds
 
 Array = NDArray[np.float32]
 
-KINDS = ("convex", "wooden")
+BODIES = ("convex", "wooden")
+LEVELS = (0, 1, 2)
 
 # SMPL-X body joints 1 to 21, by our joints; the three spine joints share the chest's rotation
 # and the toes (None) stay at rest.
@@ -44,22 +46,16 @@ class Body:
     def __init__(
         self, kind: str = "convex", level: int = 1, shape: Sequence[float] | None = None
     ) -> None:
-        if kind not in KINDS:
-            raise InputError(f"there is no body '{kind}'; choose one of {', '.join(KINDS)}")
-        if level not in (0, 1, 2):
+        if kind not in BODIES:
+            raise InputError(f"there is no body '{kind}'; choose one of {', '.join(BODIES)}")
+        if level not in LEVELS:
             raise InputError(f"the body's level of detail is 0, 1 or 2, not {level}")
         coefficients = None if shape is None else np.asarray(shape, dtype=np.float32)
         if coefficients is not None and coefficients.shape != (10,):
             raise InputError(f"a body's shape is 10 coefficients, not {coefficients.size}")
-        self._mannequin = Mannequin(
-            kind,  # type: ignore[arg-type]
-            lod=level if kind == "convex" else None,  # type: ignore[arg-type]
-            shape=coefficients,
-        )
-        rest = self._mannequin.rest_pose()
-        self._root = self._mannequin.joint_transforms(rest)[0, :3, 3].astype(np.float32)
-        if not self._mannequin.skinned:
-            self._links = _points_of_links(self._mannequin)
+        self.kind = kind
+        self.level = level
+        self.shape = None if coefficients is None else tuple(coefficients.tolist())
 
     def pieces(self, rotations: ArrayLike) -> Array:
         """Pose the body and cut its surface into convex pieces.
@@ -77,23 +73,45 @@ class Body:
         points : ndarray, shape (F, P, K, 3)
             Metres, the root at the origin: P pieces of K points.
         """
-        pose = self._smplx_pose(np.asarray(rotations, dtype=float))
-        if self._mannequin.skinned:
-            vertices = self._mannequin.vertices(pose) - self._root
-            return vertices[:, self._mannequin.faces].astype(np.float32)
-        transforms = self._mannequin.link_transforms(pose).astype(np.float32)
-        turns, shifts = transforms[..., :3, :3], transforms[..., None, :3, 3] - self._root
-        return self._links @ np.swapaxes(turns, -1, -2) + shifts
+        mannequin, root, links = _build(self.kind, self.level, self.shape)
+        if links is None:
+            return self.triangles(rotations)
+        pose = _smplx_pose(mannequin, np.asarray(rotations, dtype=float))
+        transforms = mannequin.link_transforms(pose).astype(np.float32)
+        turns, shifts = transforms[..., :3, :3], transforms[..., None, :3, 3] - root
+        return links @ np.swapaxes(turns, -1, -2) + shifts
 
-    def _smplx_pose(self, rotations: NDArray[np.float64]) -> dict[str, Array]:
-        pose = self._mannequin.rest_pose(batch_dims=(len(rotations),))
-        by_joint = dict(zip(JOINTS, np.moveaxis(rotations, 1, 0), strict=True))
-        by_joint["chest"] = spine_thirds(by_joint["chest"])
-        for b, joint in enumerate(_BODY_POSE):
-            if joint is not None:
-                pose["body_pose"][:, b] = Rotation.from_matrix(by_joint[joint]).as_rotvec()
-        pose["pelvis_rotation"][:] = Rotation.from_matrix(by_joint["root"]).as_rotvec()
-        return pose
+    def triangles(self, rotations: ArrayLike) -> Array:
+        """Pose the body and give all triangles of its surface, (F, T, 3, 3), as `pieces` does."""
+        mannequin, root, _ = _build(self.kind, self.level, self.shape)
+        pose = _smplx_pose(mannequin, np.asarray(rotations, dtype=float))
+        vertices = mannequin.vertices(pose) - root
+        return vertices[:, mannequin.faces].astype(np.float32)
+
+
+@lru_cache(maxsize=8)  # a body takes longer to build than to pose, and many are drawn
+def _build(
+    kind: str, level: int, shape: tuple[float, ...] | None
+) -> tuple[Mannequin, Array, Array | None]:
+    """Mannequin, place of its root at rest, and the points of its links if it has such."""
+    mannequin = Mannequin(
+        kind,  # type: ignore[arg-type]
+        lod=level if kind == "convex" else None,  # type: ignore[arg-type]
+        shape=None if shape is None else np.array(shape, dtype=np.float32),
+    )
+    root = mannequin.joint_transforms(mannequin.rest_pose())[0, :3, 3].astype(np.float32)
+    return mannequin, root, None if mannequin.skinned else _points_of_links(mannequin)
+
+
+def _smplx_pose(mannequin: Mannequin, rotations: NDArray[np.float64]) -> dict[str, Array]:
+    pose = mannequin.rest_pose(batch_dims=(len(rotations),))
+    by_joint = dict(zip(JOINTS, np.moveaxis(rotations, 1, 0), strict=True))
+    by_joint["chest"] = spine_thirds(by_joint["chest"])
+    for b, joint in enumerate(_BODY_POSE):
+        if joint is not None:
+            pose["body_pose"][:, b] = Rotation.from_matrix(by_joint[joint]).as_rotvec()
+    pose["pelvis_rotation"][:] = Rotation.from_matrix(by_joint["root"]).as_rotvec()
+    return pose
 
 
 def _points_of_links(mannequin: Mannequin) -> Array:

@@ -30,6 +30,12 @@ class Camera:
     follow : bool
         Whether the camera moves with the person, whose root then stays on the optical axis;
         else it stands still and looks at the middle of the person's path.
+    azimuth : float
+        Degrees by which it stands away from the world's +Z side, towards +X. Everything else is
+        said in a world that is turned so that the camera is on the +Z side.
+    orbit : float
+        Degrees a second by which it goes round what it looks at: orbiting a straight walk shows
+        as many headings as a turning one.
     """
 
     focal_length: float = 2.0
@@ -38,6 +44,8 @@ class Camera:
     width: int = 256
     height: int = 256
     follow: bool = True
+    azimuth: float = 0.0
+    orbit: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("focal_length", "distance", "width", "height"):
@@ -65,7 +73,9 @@ class Camera:
         right = np.array([1.0, 0.0, 0.0])
         return np.stack([right, np.cross(forward, right), forward], axis=1)
 
-    def place(self, root_position: ArrayLike, heading: ArrayLike) -> tuple[Array, Array]:
+    def place(
+        self, root_position: ArrayLike, heading: ArrayLike, seconds: ArrayLike = 0.0
+    ) -> tuple[Array, Array]:
         """See a walk as this camera does.
 
         Parameters
@@ -74,6 +84,8 @@ class Camera:
             Metres, in the world.
         heading : array-like, shape (F,)
             Degrees, in the world.
+        seconds : float or array-like, shape (F,)
+            Since the walk began.
 
         Returns
         -------
@@ -83,11 +95,14 @@ class Camera:
             Relative to the direction from the person to the camera, degrees.
         """
         root_position = np.asarray(root_position, dtype=float)
-        heading = np.asarray(heading, dtype=float)
+        azimuth = self.azimuth + self.orbit * np.asarray(seconds, dtype=float)
+        heading = np.asarray(heading, dtype=float) - azimuth
         if self.follow:
             return np.zeros_like(root_position), wrap_degrees(heading)
         aim = (root_position.min(axis=0) + root_position.max(axis=0)) / 2
-        offset = root_position - aim
+        x, y, z = (root_position - aim).T
+        cosine, sine = np.cos(np.deg2rad(azimuth)), np.sin(np.deg2rad(azimuth))
+        offset = np.stack([cosine * x - sine * z, y, sine * x + cosine * z], axis=1)
         to_camera = self.position - offset
         bearing = np.rad2deg(np.arctan2(to_camera[:, 0], to_camera[:, 2]))
         return offset, wrap_degrees(heading - bearing)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 from sklearn.base import clone
@@ -52,8 +54,11 @@ def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
 
 def choose_dynamics(selection: Selection, settings: DynamicsSettings) -> SecondOrderDynamics:
     """Fit the dynamics that best predict a frame from the two before it."""
-    poses = [(x, x) for _, x in selection.train], [(x, x) for _, x in selection.validation]
-    ahead = Selection(*poses, selection.space, selection.frames_per_second, selection.rows)
+    ahead = replace(  # whose inputs are the poses themselves
+        selection,
+        train=[(x, x) for _, x in selection.train],
+        validation=[(x, x) for _, x in selection.validation],
+    )
 
     def family(learnt: Examples) -> Maker:
         def estimate(damping: float) -> Estimate:

@@ -34,6 +34,8 @@ class Selection:
         Without validation sequences the training sequences take turns.
     space : PoseSpace
     frames_per_second : float
+    groups : sequence of str or None
+        Of each training sequence; one is left out at a time, if there are any.
     rows : list of dict
         ``method``, its settings and ``validation_error``.
     """
@@ -42,6 +44,7 @@ class Selection:
     validation: Examples
     space: PoseSpace
     frames_per_second: float
+    groups: Sequence[str] | None = None
     rows: list[dict[str, object]] = field(default_factory=list)
 
     def best(
@@ -65,7 +68,7 @@ class Selection:
         settings = [dict(zip(grid, values, strict=True)) for values in product(*several)]
         if len(settings) == 1:
             return settings[0]
-        pairs = folds(self.train, self.validation)
+        pairs = folds(self.train, self.validation, groups=self.groups)
         errors = np.empty((len(pairs), len(settings)))
         with bar(method, errors.size) as advance:
             for row, (learnt, judged) in zip(errors, pairs, strict=True):

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.descriptor.boundary import as_mask, boundary_pixels, spaced_indices
+from silpose.descriptor.boundary import as_mask, boundary_pixels, extent, spaced_indices
 from silpose.errors import InputError
 
 
@@ -21,9 +21,24 @@ def test_points_are_regular_along_the_contour():
     mask = np.zeros((120, 120), np.uint8)
     mask[10:110, 10:110] = 1  # 4 sides of 99 steps
     pixels, lengths = boundary_pixels(mask)
-    points = pixels[spaced_indices(pixels, lengths, 44)].astype(float)
+    points = pixels[spaced_indices(pixels, lengths, 44, 0.0)].astype(float)
     steps = np.abs(np.diff(points, axis=0)).sum(axis=1)
     np.testing.assert_array_equal(steps, 9)
+
+
+def test_points_may_be_asked_for_by_their_distance():
+    mask = np.zeros((120, 120), np.uint8)
+    mask[10:110, 10:110] = 1
+    pixels, lengths = boundary_pixels(mask)
+    by_distance = spaced_indices(pixels, lengths, 0, 9.0)
+    np.testing.assert_array_equal(by_distance, spaced_indices(pixels, lengths, 44, 0.0))
+    assert len(spaced_indices(pixels, lengths, 0, 1e9)) == 1
+
+
+def test_extent_is_the_rms_distance_from_the_centre():
+    pixels = np.random.default_rng(0).integers(1000, 1200, (300, 2)).astype(np.int32)
+    assert extent(pixels) == pytest.approx(np.sqrt(pixels.var(axis=0).sum()))
+    assert extent(pixels[:1]) == 0
 
 
 def test_long_contours_get_more_points():
@@ -31,7 +46,7 @@ def test_long_contours_get_more_points():
     mask[10:110, 10:110] = 1
     mask[50:60, 150:160] = 1
     pixels, lengths = boundary_pixels(mask)
-    points = pixels[spaced_indices(pixels, lengths, 100)]
+    points = pixels[spaced_indices(pixels, lengths, 100, 0.0)]
     assert 5 <= (points[:, 0] > 130).sum() <= 12  # 36 of 432 steps
 
 
@@ -40,7 +55,7 @@ def test_a_single_pixel_is_a_contour(count):
     mask = np.zeros((9, 9), np.uint8)
     mask[4, 5] = 1
     pixels, lengths = boundary_pixels(mask)
-    assert (pixels[spaced_indices(pixels, lengths, count)] == (5, 4)).all()
+    assert (pixels[spaced_indices(pixels, lengths, count, 0.0)] == (5, 4)).all()
 
 
 @pytest.mark.parametrize("kind", [bool, np.uint8, np.int64, np.float32])

@@ -4,15 +4,29 @@ import reference
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from omegaconf import OmegaConf
 from sklearn.exceptions import NotFittedError
 
+from silpose.config import load
 from silpose.descriptor import ShapeContextHistogram
+from silpose.descriptor.histogram import NORMALISATIONS
 from silpose.errors import InputError
 
 
 @pytest.fixture(scope="module")
 def histogram(sequence):
     return ShapeContextHistogram(codebook_size=30, n_jobs=1).fit(sequence.masks)
+
+
+@pytest.fixture(scope="module")
+def histograms(histogram, sequence):
+    """The usual choices, and others that take other ways through the code."""
+    others = {"spaced": {"spacing": 0.1, "voters": None}, "everywhere": {"edge_points": None}}
+    fitted = {
+        name: ShapeContextHistogram(codebook_size=9, n_jobs=1, **choices).fit(sequence.masks)
+        for name, choices in others.items()
+    }
+    return {"usual": histogram, **fitted}
 
 
 def test_z_is_the_definition_from_mask_to_histogram(histogram, sequence):
@@ -23,7 +37,7 @@ def test_z_is_the_definition_from_mask_to_histogram(histogram, sequence):
         contexts = reference.contexts(pixels, description.points, reach, 0.1 * reach, 12, 5)
         np.testing.assert_allclose(description.contexts, contexts, atol=1e-6)
         expected = reference.votes(contexts, histogram.codebook_, 8, histogram.vote_width_)
-        np.testing.assert_allclose(z, expected, atol=1e-4)
+        np.testing.assert_allclose(z, expected, rtol=0, atol=1e-6)
 
 
 def test_rows_sum_to_one(histogram, sequence):
@@ -31,6 +45,48 @@ def test_rows_sum_to_one(histogram, sequence):
     assert z.shape == (40, 30)
     np.testing.assert_allclose(z.sum(axis=1), 1)
     assert z.min() >= 0
+
+
+def test_the_authors_histograms_are_never_zero_and_have_mean_one(sequence):
+    settings = OmegaConf.to_container(load(["descriptor=authors"]).descriptor, resolve=True)
+    settings.pop("kind")
+    z = ShapeContextHistogram(**settings).fit_transform(sequence.masks)
+    np.testing.assert_allclose(z.sum(axis=1), 100)
+    assert z.min() > 0
+
+
+def test_normalisations_differ_by_a_factor(histogram, sequence):
+    z = {
+        kind: ShapeContextHistogram(codebook_size=30, normalisation=kind).fit_transform(
+            sequence.masks[:9]
+        )
+        for kind in NORMALISATIONS
+    }
+    np.testing.assert_allclose(z["mean"], 30 * z["sum"])
+    np.testing.assert_allclose(z["none"], 200 * z["sum"])
+
+
+def test_spacing_gives_points_by_length_and_none_gives_every_pixel(histograms, sequence):
+    mask = sequence.masks[3]
+    pixels = np.concatenate(reference.boundary(mask))
+    (everywhere,) = histograms["everywhere"].describe([mask])
+    np.testing.assert_array_equal(everywhere.points, pixels)
+    twice = np.repeat(np.repeat(mask, 2, axis=0), 2, axis=1)
+    near, far = (len(d.points) for d in histograms["spaced"].describe([mask, twice]))
+    assert abs(near - far) < 0.1 * near  # relative to the silhouette, so its size does not matter
+
+
+def test_components_holes_and_the_frames_edge_are_boundary_too(histogram):
+    person = np.zeros((90, 60), np.uint8)
+    person[10:80, 20:40] = 1
+    whole, holed, two, cut = (person.copy() for _ in range(4))
+    holed[30:40, 25:35] = 0
+    two[5:15, 48:58] = 1
+    cut[:40] = 0
+    z = histogram.transform([whole, holed, two, cut, cut[40:]])
+    for changed in z[1:4]:
+        assert np.linalg.norm(changed - z[0]) > 0.01
+    np.testing.assert_array_equal(z[3], z[4])
 
 
 def test_moving_the_silhouette_changes_nothing(histogram, sequence):
@@ -57,24 +113,45 @@ def test_one_thread_or_two_give_the_same(sequence):
 
 def test_state_restores_everything(histogram, sequence):
     restored = ShapeContextHistogram.from_state(histogram.state())
-    assert restored.get_params() | {"n_jobs": 1} == histogram.get_params()
+    assert restored.get_params() == histogram.get_params()
     np.testing.assert_array_equal(
         restored.transform(sequence.masks[:3]), histogram.transform(sequence.masks[:3])
     )
 
 
-@settings(deadline=None, max_examples=60)
-@given(
-    arrays(np.uint8, st.tuples(st.integers(1, 40), st.integers(1, 40)), elements=st.integers(0, 1))
-)
-def test_no_mask_whatsoever_gives_nan(histogram, mask):
-    if mask.any():
-        z = histogram.transform([mask])
-        assert np.isfinite(z).all()
-        assert z.sum() == pytest.approx(1)
+def masks_whatsoever():
+    """Arrays of any rank, size and kind, most of them masks."""
+    sides = st.integers(0, 40)
+    shape = st.one_of(st.tuples(sides, sides), st.lists(sides, max_size=4).map(tuple))
+    kinds = st.sampled_from([np.bool_, np.uint8, np.int8, np.int64, np.float32, np.float64])
+    some = st.one_of(
+        kinds.flatmap(lambda kind: arrays(kind, shape)),
+        arrays(np.uint8, st.tuples(sides, sides), elements=st.integers(0, 1)),
+    )
+    layout = st.sampled_from([np.ascontiguousarray, np.asfortranarray, lambda m: m[::-1, ::2]])
+    return st.tuples(some, layout).map(lambda m: m[1](m[0]) if m[0].ndim == 2 else m[0])
+
+
+@settings(deadline=None, max_examples=300)
+@given(masks_whatsoever(), st.sampled_from(["usual", "spaced", "everywhere"]))
+def test_no_mask_whatsoever_gives_nan_or_a_crash(histograms, mask, kind):
+    described = mask.ndim == 2 and mask.any() and np.isin(mask, (0, 1)).all()
+    try:
+        z = histograms[kind].transform([mask])
+    except InputError as error:
+        assert str(error).startswith("mask 0 ")
+        assert not described
     else:
-        with pytest.raises(InputError, match="no foreground"):
-            histogram.transform([mask])
+        assert np.isfinite(z).all()
+        assert z.min() >= 0
+        assert z.sum() == pytest.approx(1)
+
+
+@pytest.mark.parametrize("side", [1, 2, 3, 4000])
+def test_a_full_frame_is_a_mask(histograms, side):
+    for histogram in histograms.values():
+        z = histogram.transform(np.ones((1, side, side), np.uint8))
+        assert z.sum() == pytest.approx(1)
 
 
 def test_lists_of_any_sizes_and_kinds(histogram):
@@ -95,3 +172,7 @@ def test_what_cannot_be_described_is_named(histogram, sequence):
         ShapeContextHistogram(inner_radius=1.5).fit(sequence.masks)
     with pytest.raises(InputError, match="voters must be at least 1"):
         ShapeContextHistogram(voters=0).fit(sequence.masks)
+    with pytest.raises(InputError, match="codebook_method=medoids; there are kmeans"):
+        ShapeContextHistogram(codebook_method="medoids").fit(sequence.masks)
+    with pytest.raises(InputError, match="smaller codebook_size"):
+        ShapeContextHistogram(codebook_size=50, edge_points=4).fit(sequence.masks[:10])

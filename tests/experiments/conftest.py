@@ -25,10 +25,13 @@ def study(tmp_path):
 
     def run(name, *overrides):
         root = f"recording.root={tmp_path}"
-        run_experiment(load([f"experiment={name}", *SMALL, root, *overrides]))
+        small = SMALL if "motion=bvh" not in overrides else SMALL[2:]
+        run_experiment(load([f"experiment={name}", *small, root, *overrides]))
         folder = tmp_path / name / "001"
-        with (folder / "results.csv").open() as file:
-            rows = list(csv.DictReader(file))
+        rows = []
+        if (folder / "results.csv").exists():
+            with (folder / "results.csv").open() as file:
+                rows = list(csv.DictReader(file))
         assert cv2.imread(str(folder / f"{name}.png")).std() > 10
         assert len(list(RrdReader(folder / "run.rrd").stream())) > 5
         return json.loads((folder / "metrics.json").read_text())["metrics"], rows

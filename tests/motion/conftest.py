@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from silpose.motion.source_skeleton import SOURCE_JOINTS
 from silpose.skeleton import OFFSETS, PARENTS
 
 UNIT = 0.02  # metres per unit of the file
@@ -22,17 +22,29 @@ _T_POSE = {
 }  # fmt: skip
 
 
+NAMES = {
+    "root": "Hips", "chest": "Spine1", "neck": "HEadDummy", "head": "Head",
+    **{f"{side}_{ours}": f"{side.title()}{name}" for side in ("left", "right") for ours, name in (
+        ("collar", "Shoulder"), ("shoulder", "Arm"), ("elbow", "ForeArm"), ("wrist", "Hand"),
+        ("hip", "UpLeg"), ("knee", "Leg"), ("ankle", "Foot"),
+    )},
+}  # fmt: skip
+
+
 class SmallBvh:
-    """Text of a BVH file with the joints of kind 'snu', to be spoiled by a test.
+    """Text of a BVH file, to be spoiled by a test.
 
     `frames` maps a joint of ours to its rotation (z, y, x) in degrees, frame by frame.
     """
 
-    def __init__(self, frames=({}, {}, {}), frame_time="0.0333333", without=(), offsets=None):
+    def __init__(
+        self, frames=({}, {}, {}), frame_time="0.0333333", without=(), offsets=None, names=None
+    ):
         self.frames = frames
         self.frame_time = frame_time
         self.without = without
         self.offsets = _T_POSE | (offsets or {})
+        self.names = NAMES | (names or {})
         self.order = []
 
     def text(self):
@@ -51,7 +63,7 @@ class SmallBvh:
             self.order = []
         self.order.append(joint)
         offset = " ".join(f"{v / UNIT:.6f}" for v in self.offsets[joint])
-        yield f"{'JOINT' if depth else 'ROOT'} {SOURCE_JOINTS['snu'][joint]}"
+        yield f"{'JOINT' if depth else 'ROOT'} {self.names[joint]}"
         yield "{"
         yield f"OFFSET {offset}"
         position = "" if depth else " Xposition Yposition Zposition"
@@ -81,3 +93,28 @@ class SmallBvh:
 @pytest.fixture
 def small_bvh():
     return SmallBvh
+
+
+@pytest.fixture
+def small_amass():
+    """Write a small file in AMASS's layout; `layout` replaces or, by None, leaves out keys."""
+
+    def write(file: Path, rotvec=None, place=None, rate=60.0, columns=156, **layout):
+        frames = 9 if rotvec is None else len(rotvec)
+        poses = np.zeros((frames, columns))
+        if rotvec is not None:
+            poses[:, :66] = np.reshape(rotvec, (frames, -1))
+        else:
+            poses[:, 0] = np.pi / 2  # upright in a world of +Z up
+        content = {
+            "poses": poses,
+            "trans": np.zeros((frames, 3)) if place is None else place,
+            "gender": np.array("neutral"),
+            "betas": np.zeros(16),
+            "mocap_framerate" if columns == 156 else "mocap_frame_rate": np.array(rate),
+        } | layout
+        file.parent.mkdir(parents=True, exist_ok=True)
+        np.savez(file, **{k: v for k, v in content.items() if v is not None})
+        return file
+
+    return write

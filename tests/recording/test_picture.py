@@ -14,7 +14,7 @@ def test_a_frame_is_painted(finished, tmp_path, painting):
 
 
 def test_a_stretch_moves(finished, tmp_path, painting):
-    film(finished.recording, range(0, 9, 4), tmp_path / "f.gif", view="silhouette", width=300)
+    film(finished.recording, range(0, 9, 4), tmp_path / "f.gif", view="mask", width=300)
     with Image.open(tmp_path / "f.gif") as gif:
         assert gif.n_frames == 3
     film(finished.recording, [0, 4], tmp_path / "f.mp4", width=300)

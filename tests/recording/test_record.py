@@ -10,11 +10,14 @@ import numpy as np
 import pytest
 from rerun.chunk import RrdReader
 
+from silpose.descriptor import ShapeContextHistogram
 from silpose.pose import ANGLES
 from silpose.recording import (
+    ContextSpace,
     Truth,
     entities,
     record_bridges,
+    record_context_space,
     record_extinction,
     record_features,
     record_study,
@@ -27,17 +30,18 @@ from silpose.tracking import Track
 TEXTS = texts("a sequence", "seed: 0\n", {"rvm": {"error": 1.0}})
 # One entity below each per method, per part, per tracker.
 PER_SOMETHING = (entities.ERROR, entities.FEATURES, entities.TRACKS, entities.KERNELS)
-ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {entities.REASONS}
+ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
+    entities.REASONS,
+    entities.SPACE,
+}
 
 
 @pytest.fixture(scope="module")
 def recordings(finished, sequence, tmp_path_factory):
     """One file of every kind of recording."""
     folder = tmp_path_factory.mktemp("kinds")
-    paths = [
-        folder / f"{kind}.rrd"
-        for kind in ("study", "bridges", "features", "tracking", "extinction")
-    ]
+    kinds = ("study", "bridges", "features", "tracking", "extinction", "space")
+    paths = [folder / f"{kind}.rrd" for kind in kinds]
     figure = folder / "figure.png"
     cv2.imwrite(str(figure), np.random.default_rng(0).integers(0, 255, (40, 60, 3)))
     errors = {"usual": np.arange(5.0), "narrow": np.arange(5.0)}
@@ -54,6 +58,15 @@ def recordings(finished, sequence, tmp_path_factory):
     record_tracking(paths[3], "tracking", sequence, truth, tracks, track, ANGLES, TEXTS)
     kernels = {"usual": np.eye(5), "narrow": np.zeros((5, 5))}
     record_extinction(paths[4], "extinction", figure, kernels, errors, 15.0, TEXTS)
+    few = sequence.masks[:6]
+    descriptor = ShapeContextHistogram(codebook_size=9).fit(few)
+    described = descriptor.describe(few)
+    space = ContextSpace(
+        *(c[:, :2] for c in (described[0].contexts, descriptor.codebook_)),
+        [d.contexts[:, :2] for d in described],
+    )
+    codebook = descriptor.codebook_
+    record_context_space(paths[5], "space", few, described, space, codebook, 12, 15.0, TEXTS)
     return [finished.recording, *paths]
 
 

@@ -77,3 +77,21 @@ def test_without_validation_sequences_are_left_out_by_turns(candidates, smooth):
     assert mean_error(test[1], chosen.regressors["ridge"].predict(test[0])) < 0.2
     with pytest.raises(InputError, match="validation sequence"):
         candidates.choose(["ridge"], parts[:1], [], mean_error)
+
+
+def test_one_group_is_left_out_at_a_time(candidates, smooth, monkeypatch):
+    (z, x), _ = smooth
+    train = [(z[k::6], x[k::6]) for k in range(6)]
+    groups = ["a", "b", "a", "c", "b", "a"]
+    folds = candidates._folds(train, groups)
+    assert [len(fold.z) for fold in folds] == [
+        sum(len(t[0]) for t, g in zip(train, groups, strict=True) if g == own) for own in "abc"
+    ]
+    for fold in folds:
+        assert len(fold.z) + len(fold.problem.z) == len(z)
+        assert not {tuple(row) for row in fold.z} & {tuple(row) for row in fold.problem.z}
+    monkeypatch.setattr("silpose.regression.selection._FOLDED", len(z) // 2)
+    thinned = candidates._folds(train, groups)
+    assert sum(len(fold.z) for fold in thinned) == pytest.approx(len(z) / 2, abs=6)
+    with pytest.raises(InputError, match="needs a validation sequence"):
+        candidates.choose(["ridge"], train, [], mean_error, groups=["a"] * 6)

@@ -63,9 +63,8 @@ def test_pieces_fill_as_the_surfaces_triangles_do(body):
 
     camera = Camera()
     rotations = pose(left_knee_x=40, chest_x=20)
-    vertices = body._mannequin.vertices(body._smplx_pose(rotations))[0] - body._root
     slow = np.zeros((256, 256), np.uint8)
-    for triangle in camera.project(vertices)[body._mannequin.faces]:
+    for triangle in camera.project(body.triangles(rotations)[0]):
         cv2.fillConvexPoly(slow, np.rint(triangle * 16).astype(np.int32), 1, cv2.LINE_8, 4)
     assert overlap(mask_of(body, camera, rotations), slow) > 0.995
 

@@ -1,0 +1,99 @@
+"""What else people describe silhouettes by: Hu's moments, and principal components of the mask."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from sklearn.base import BaseEstimator, TransformerMixin
+from sklearn.decomposition import PCA
+from sklearn.utils.validation import check_is_fitted
+
+from silpose.descriptor.boundary import as_mask
+from silpose.descriptor.histogram import Masks
+
+Array = NDArray[np.float64]
+
+_TINY = 1e-30  # what the logarithm of a vanishing moment is taken of
+
+
+class HuMoments(TransformerMixin, BaseEstimator):
+    """The logarithms of Hu's seven invariant moments, at zero mean and unit variance (Hu 1962).
+
+    Attributes
+    ----------
+    mean_, scale_ : ndarray, shape (7,)
+        Of the training masks.
+    """
+
+    def fit(self, masks: Masks, y: object = None) -> HuMoments:
+        """Learn mean and scale of the moments."""
+        moments = _log_moments(masks)
+        self.mean_ = moments.mean(axis=0)
+        deviation = moments.std(axis=0)
+        self.scale_ = np.where(deviation > 0, deviation, 1.0)
+        return self
+
+    def transform(self, masks: Masks) -> Array:
+        """Describe masks, shape (n, 7)."""
+        check_is_fitted(self)
+        return (_log_moments(masks) - self.mean_) / self.scale_
+
+
+class AlignedMask(TransformerMixin, BaseEstimator):
+    """Principal components of the mask, brought to one height and its centroid to the middle.
+
+    Parameters
+    ----------
+    size : int
+        Pixels of the aligned mask's height and width.
+    components : int
+        At most so many.
+    random_state : int or None
+
+    Attributes
+    ----------
+    pca_ : PCA
+    """
+
+    def __init__(self, size: int = 48, components: int = 100, random_state: int | None = 0) -> None:
+        self.size = size
+        self.components = components
+        self.random_state = random_state
+
+    def fit(self, masks: Masks, y: object = None) -> AlignedMask:
+        """Learn the components."""
+        aligned = self._aligned(masks)
+        count = min(self.components, len(aligned))
+        self.pca_ = PCA(count, svd_solver="randomized", random_state=self.random_state)
+        self.pca_.fit(aligned)
+        return self
+
+    def transform(self, masks: Masks) -> Array:
+        """Describe masks, shape (n, components)."""
+        check_is_fitted(self)
+        return np.asarray(self.pca_.transform(self._aligned(masks)), dtype=float)
+
+    def _aligned(self, masks: Masks) -> NDArray[np.float32]:
+        return np.stack([self._align(as_mask(mask, k)) for k, mask in enumerate(masks)])
+
+    def _align(self, mask: NDArray[np.uint8]) -> NDArray[np.float32]:
+        _, top, _, height = cv2.boundingRect(mask)
+        moments = cv2.moments(mask, binaryImage=True)
+        scale = self.size / height
+        middle = (self.size - 1) / 2
+        shift = np.array(
+            [[scale, 0, middle - scale * moments["m10"] / moments["m00"]], [0, scale, -scale * top]]
+        )
+        grey = cv2.warpAffine(mask.astype(np.float32), shift, (self.size, self.size))
+        return np.asarray(grey, np.float32).ravel()
+
+
+def _log_moments(masks: Masks) -> Array:
+    moments = np.stack(
+        [
+            cv2.HuMoments(cv2.moments(as_mask(mask, k), binaryImage=True)).ravel()
+            for k, mask in enumerate(masks)
+        ]
+    )
+    return np.sign(moments) * np.log10(np.abs(moments) + _TINY)

@@ -1,0 +1,50 @@
+"""Motion seen in a mirror: left and right swapped, limbs pointing exactly the mirrored way."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose import skeleton
+from silpose.motion.rest import LIMBS, smallest_rotation
+from silpose.motion.retarget import local_rotations
+from silpose.motion.track import Motion
+
+Array = NDArray[np.float64]
+
+_FLIP = np.diag([-1.0, 1.0, 1.0])
+
+
+def mirrored(motion: Motion) -> Motion:
+    """Swap left and right.
+
+    To change the signs of angles would not do: the two sides of our skeleton, which are those of
+    the mannequin, differ, and an arm would be off by up to eight degrees.
+
+    Parameters
+    ----------
+    motion : Motion
+
+    Returns
+    -------
+    motion : Motion
+    """
+    _, orientations = skeleton.forward_kinematics(skeleton.rotations_from_angles(motion.angles))
+    turned = {}
+    for joint in skeleton.JOINTS:
+        other = _other_side(joint)
+        seen = _FLIP @ orientations[:, skeleton.JOINTS.index(other)] @ _FLIP
+        if joint in LIMBS:
+            bone = np.array(skeleton.OFFSETS[LIMBS[joint]])
+            seen = seen @ smallest_rotation(bone, _FLIP @ skeleton.OFFSETS[LIMBS[other]])
+        turned[joint] = seen
+    angles = skeleton.angles_from_rotations(local_rotations(turned))
+    return replace(motion, angles=angles, root_position=motion.root_position @ _FLIP)
+
+
+def _other_side(joint: str) -> str:
+    side, _, rest = joint.partition("_")
+    other = {"left": "right", "right": "left"}.get(side)
+    return f"{other}_{rest}" if other else joint
