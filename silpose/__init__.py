@@ -14,6 +14,9 @@ from typing import TYPE_CHECKING
 from silpose.run import load_run, runs_table
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from silpose.model import PoseModel
 
 
@@ -24,4 +27,15 @@ def load(path: str | Path) -> PoseModel:
     return PoseModel.load(path)
 
 
-__all__ = ["load", "load_run", "runs_table"]
+def load_poses(path: str | Path) -> dict[str, NDArray[np.float64]]:
+    """Read pose vectors (F, D) back from a recording: an ``.rrd``, or the folder of its run.
+
+    By name: ``true`` where the truth is known; ``estimated``, or each method that was drawn.
+    """
+    from silpose.recording import read_poses
+
+    path = Path(path)
+    return read_poses(path / "run.rrd" if path.is_dir() else path)
+
+
+__all__ = ["load", "load_poses", "load_run", "runs_table"]

@@ -145,12 +145,6 @@ class FinishedRun:
 
         return PoseModel.load(self.folder / "model.npz")
 
-    def poses(self) -> dict[str, Any]:
-        """Read the pose vectors back from the recording, ``(F, D)`` each, by what they are."""
-        from silpose.recording import read_poses
-
-        return read_poses(self.recording)
-
     @property
     def recording(self) -> Path:
         """The file that the Rerun viewer opens."""

@@ -10,33 +10,8 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
+from silpose.headlines import headlines
 from silpose.run import FinishedRun
-
-_HEADLINES = {
-    "mean_angular_error_deg": ("angles", "{:.2f}°"),
-    "mean_joint_distance": ("joints, own units", "{:.2f}"),
-    "heading_median_deg": ("heading", "{:.1f}°"),
-    "heading_over_20deg": ("off by 20°", "{:.0%}"),
-    "mpjpe_mm": ("joints", "{:.0f} mm"),
-    "error": ("error", "{:.2f}"),
-    "mean_pose_error": ("mean pose", "{:.2f}"),
-    "functions_kept": ("functions kept", "{:.0f}"),
-    "points_share": ("points retained", "{:.0%}"),
-    "kept": ("kernels", "{:.0%}"),
-    "extinct": ("frames extinct", "{:.0%}"),
-    "widest_error": ("worst widths", "{:.2f}"),
-    "locked_on": ("starts that lock on", "{:.0%}"),
-    "within_20deg": ("heading within 20°", "{:.0%}"),
-    "whole_error": ("whole", "{:.2f}"),
-    "gain_lost": ("gain lost", "{:.0%}"),
-    "rank_correlation": ("rank correlation", "{:.2f}"),
-    "rank_correlation_joints": ("with joints", "{:.2f}"),
-    "nearest_pairs": ("nearest pairs", "{:.2f}"),
-    "variance_in_plane": ("variance in the plane", "{:.0%}"),
-    "centres_voted_for": ("centres voted for", "{:.0f}"),
-    "validation_error": ("validation", "{:.2f}"),
-    "test_error": ("test", "{:.2f}"),
-}
 
 
 def summarise(run: FinishedRun) -> None:
@@ -54,14 +29,11 @@ def summarise(run: FinishedRun) -> None:
 def results(run: FinishedRun) -> Table:
     """Lay the headlines out, a row per method."""
     table = Table(title=f"{run.dataset}: errors on unseen sequences", title_justify="left")
-    table.add_column("method")
-    present = {n for values in run.metrics.values() for n in values}
-    shown = {n: c for n, c in _HEADLINES.items() if n in present}
-    for title, _ in shown.values():
-        table.add_column(title, justify="right")
-    for method, values in run.metrics.items():
-        cells = [f.format(values[n]) if n in values else "" for n, (_, f) in shown.items()]
-        table.add_row(method, *cells)
+    titles, rows = headlines(run.metrics)
+    for title in titles:
+        table.add_column(title, justify="left" if title == titles[0] else "right")
+    for row in rows:
+        table.add_row(*row)
     return table
 
 

@@ -2,39 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
+from silpose.headlines import Results, headlines
 from silpose.recording import entities
 
-_COLUMNS = {
-    "mean_angular_error_deg": ("angles, °", "{:.2f}"),
-    "mean_joint_distance": ("joints", "{:.2f}"),
-    "heading_mean_deg": ("heading, °", "{:.1f}"),
-    "mpjpe_mm": ("joints, mm", "{:.0f}"),
-    "error": ("error", "{:.2f}"),
-    "mean_pose_error": ("mean pose", "{:.2f}"),
-    "kept": ("kept", "{:.0%}"),
-    "whole_error": ("whole", "{:.2f}"),
-    "gain_lost": ("gain lost", "{:.0%}"),
-    "rank_correlation": ("rank correlation", "{:.2f}"),
-    "rank_correlation_joints": ("with joints", "{:.2f}"),
-    "nearest_pairs": ("nearest pairs", "{:.2f}"),
-    "variance_in_plane": ("variance in the plane", "{:.0%}"),
-    "centres_voted_for": ("centres voted for", "{:.0f}"),
-    "validation_error": ("validation", "{:.2f}"),
-    "test_error": ("test", "{:.2f}"),
-    "functions_kept": ("functions kept", "{:.0f}"),
-    "points_share": ("points", "{:.0%}"),
-    "extinct": ("frames extinct", "{:.0%}"),
-    "widest_error": ("worst widths", "{:.2f}"),
-    "locked_on": ("starts that lock on", "{:.0%}"),
-    "within_20deg": ("heading within 20°", "{:.0%}"),
-}
 
-
-def texts(
-    sequence: str, settings: str, results: Mapping[str, Mapping[str, float]]
-) -> dict[str, str]:
+def texts(sequence: str, settings: str, results: Results) -> dict[str, str]:
     """Write what was seen, settings (YAML) and headline results as markdown, by entity."""
     return {
         entities.SEQUENCE: sequence,
@@ -43,12 +15,9 @@ def texts(
     }
 
 
-def results_table(results: Mapping[str, Mapping[str, float]]) -> str:
+def results_table(results: Results) -> str:
     """Write the headlines as a markdown table, a row per method."""
-    shown = {n: c for n, c in _COLUMNS.items() if any(n in values for values in results.values())}
-    lines = ["| method | " + " | ".join(title for title, _ in shown.values()) + " |"]
-    lines.append("|:--|" + "--:|" * len(shown))
-    for method, values in results.items():
-        cells = [f.format(values[n]) if n in values else "" for n, (_, f) in shown.items()]
-        lines.append(f"| {method} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+    titles, rows = headlines(results)
+    ruler = ":--|" + "--:|" * (len(titles) - 1)
+    table = [" | ".join(titles), ruler.strip("|"), *(" | ".join(row) for row in rows)]
+    return "\n".join(f"| {line} |" for line in table)

@@ -1,13 +1,14 @@
 import numpy as np
 import pytest
 
+from silpose import load_poses
 from silpose.errors import InputError
 from silpose.recording import read_poses
-from silpose.run import load_run, runs_table
+from silpose.run import runs_table
 
 
 def test_poses_come_back_as_they_were(finished):
-    poses = load_run(finished.folder).poses()
+    poses = load_poses(finished.folder)
     assert set(poses) == {"true", "estimated"}
     assert poses["true"].shape == poses["estimated"].shape == (45, 55)
     off = finished.model.space.distance(poses["true"], poses["estimated"]).mean()

@@ -1,0 +1,44 @@
+"""Which values are a run's headlines, and how they are told in a table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+Results = Mapping[str, Mapping[str, float]]
+
+HEADLINES: Mapping[str, tuple[str, str]] = {
+    "mean_angular_error_deg": ("angles", "{:.2f}°"),
+    "mean_joint_distance": ("joints, own units", "{:.2f}"),
+    "heading_median_deg": ("heading", "{:.1f}°"),
+    "heading_over_20deg": ("off by 20°", "{:.0%}"),
+    "mpjpe_mm": ("joints", "{:.0f} mm"),
+    "error": ("error", "{:.2f}"),
+    "mean_pose_error": ("mean pose", "{:.2f}"),
+    "functions_kept": ("functions kept", "{:.0f}"),
+    "points_share": ("points retained", "{:.0%}"),
+    "kept": ("kernels", "{:.0%}"),
+    "extinct": ("frames extinct", "{:.0%}"),
+    "widest_error": ("worst widths", "{:.2f}"),
+    "locked_on": ("starts that lock on", "{:.0%}"),
+    "within_20deg": ("heading within 20°", "{:.0%}"),
+    "whole_error": ("whole", "{:.2f}"),
+    "gain_lost": ("gain lost", "{:.0%}"),
+    "rank_correlation": ("rank correlation", "{:.2f}"),
+    "rank_correlation_joints": ("with joints", "{:.2f}"),
+    "nearest_pairs": ("nearest pairs", "{:.2f}"),
+    "variance_in_plane": ("variance in the plane", "{:.0%}"),
+    "centres_voted_for": ("centres voted for", "{:.0f}"),
+    "validation_error": ("validation", "{:.2f}"),
+    "test_error": ("test", "{:.2f}"),
+}
+
+
+def headlines(results: Results) -> tuple[list[str], list[list[str]]]:
+    """Lay results out as a table: titles, and for each method a row of its name and its values."""
+    present = {name for values in results.values() for name in values}
+    shown = {name: column for name, column in HEADLINES.items() if name in present}
+    rows = [
+        [method, *(f.format(values[n]) if n in values else "" for n, (_, f) in shown.items())]
+        for method, values in results.items()
+    ]
+    return ["method", *(title for title, _ in shown.values())], rows
