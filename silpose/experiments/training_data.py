@@ -178,7 +178,7 @@ def _values(rows: Sequence[Mapping[str, Any]], **where: object) -> list[float]:
 
 
 def _figure(path: Path, rows: Sequence[Mapping[str, Any]], methods: Sequence[str]) -> None:
-    figure = Figure(figsize=(11, 4.6), layout="constrained")
+    figure = Figure(figsize=(11, 5.2), layout="constrained")
     styles = dict(zip([*methods, "oracle"], ("-", "--", "-.", ":"), strict=False)) | {"oracle": ":"}
     for axes, test in zip(figure.subplots(1, 2, sharey=True), (PLAIN, STRANGE), strict=True):
         for k, (variety,) in enumerate(_settings(rows, "training")):
@@ -188,8 +188,8 @@ def _figure(path: Path, rows: Sequence[Mapping[str, Any]], methods: Sequence[str
                     _values(rows, training=variety, frames=c, method=method, test=test)
                     for c in counts
                 ]
-                label = f"{method}, {variety}" if method in (methods[0], "oracle") else None
                 means = [float(np.mean(values)) for values in own]
+                label = f"{method}, {variety.replace('_', ' ')}"
                 axes.plot(counts, means, style, color=f"C{k}", marker="o", ms=4, label=label)
                 for count, values in zip(counts, own, strict=True):
                     axes.plot([count] * len(values), values, "_", color=f"C{k}", ms=8)
@@ -198,5 +198,6 @@ def _figure(path: Path, rows: Sequence[Mapping[str, Any]], methods: Sequence[str
         axes.minorticks_off()
         axes.grid(axis="y", alpha=0.3)
     figure.axes[0].set_ylabel("mean angular error, degrees")
-    figure.axes[0].legend(fontsize=7)
+    handles, labels = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=len(styles), fontsize=8)
     figure.savefig(path, dpi=120, format="png")
