@@ -185,6 +185,7 @@ def furnish(settings: DictConfig) -> Rooms:
     from silpose.regression import (
         BasisSettings,
         Candidates,
+        MixtureSettings,
         RidgeSettings,
         RvmSettings,
         SvmSettings,
@@ -208,6 +209,7 @@ def furnish(settings: DictConfig) -> Rooms:
         "ridge": RidgeSettings,
         "rvm": RvmSettings,
         "svm": SvmSettings,
+        "mixture": MixtureSettings,
     }
     tracking = {
         "tracker": TrackerSettings,

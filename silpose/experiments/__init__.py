@@ -8,6 +8,7 @@ from silpose.experiments.extinction import extinction
 from silpose.experiments.feature_selection import feature_selection
 from silpose.experiments.initialisation import initialisation
 from silpose.experiments.kernel_widths import kernel_widths
+from silpose.experiments.mixture import mixture
 from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
@@ -24,6 +25,7 @@ EXPERIMENTS: dict[str, Callable[..., None]] = {
         feature_selection,
         initialisation,
         kernel_widths,
+        mixture,
         parts,
         predict,
         regressors,

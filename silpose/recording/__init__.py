@@ -1,5 +1,6 @@
 """Recordings: the only room that knows Rerun."""
 
+from silpose.recording.modes import record_modes
 from silpose.recording.notebook import show
 from silpose.recording.reasons import Reasons
 from silpose.recording.record import Truth, record_prediction, record_single_image
@@ -13,6 +14,7 @@ __all__ = [
     "record_bridges",
     "record_extinction",
     "record_features",
+    "record_modes",
     "record_prediction",
     "record_single_image",
     "record_study",

@@ -93,6 +93,29 @@ def tracking(
     return _layout([seen, answered, _texts()], [1, 2.6, 1.1], frames_per_second)
 
 
+def modes(
+    count: int, shown: Sequence[str], frames_per_second: float, metric: str, masks: bool
+) -> rrb.Blueprint:
+    """Lay out several answers to each silhouette, and how probable each is."""
+    each = [f"{entities.MODES}/{k + 1}" for k in range(count)]
+    answered = rrb.Vertical(
+        _body_view(
+            "true pose (blue) and several estimates: the brighter, the more probable",
+            [entities.TRUE_SKELETON, *(f"{mode}/skeleton" for mode in each)],
+        ),
+        _series("probability of each mode", [f"{mode}/weight" for mode in each], (0.0, 1.0)),
+        _series("heading, degrees", [entities.TRUE_HEADING, *(f"{m}/heading" for m in each[:2])]),
+        _series(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
+        row_shares=[3.2, 0.9, 1, 1],
+    )
+    if not masks:
+        return _layout([answered, _texts()], [2.6, 1], frames_per_second)
+    mask = rrb.Spatial2DView(
+        origin=entities.CAMERA, contents=[entities.MASK], name="silhouette: mask"
+    )
+    return _layout([mask, answered, _texts()], [1, 2, 1], frames_per_second)
+
+
 def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
     """Lay out kernels that stop firing, and what becomes of the track."""
     kernels = [
@@ -177,10 +200,13 @@ def _mask_view() -> rrb.Spatial2DView:
     )
 
 
-def _body_view(name: str) -> rrb.Spatial3DView:
+def _body_view(
+    name: str,
+    contents: Sequence[str] = (entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON),
+) -> rrb.Spatial3DView:
     return rrb.Spatial3DView(
         origin="/",
-        contents=[entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON],
+        contents=list(contents),
         name=name,
         background=[22, 24, 28],
         line_grid=_GROUND,

@@ -11,6 +11,8 @@
 
 from silpose.regression.basis import Basis
 from silpose.regression.follow import Steps, follow_bridges
+from silpose.regression.mixture import MixtureOfRegressors
+from silpose.regression.mixture_choice import MixtureSettings, choose_mixture
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
 from silpose.regression.rvm import RelevanceVectorRegressor
@@ -35,6 +37,8 @@ __all__ = [
     "BasisSettings",
     "Candidates",
     "Chosen",
+    "MixtureOfRegressors",
+    "MixtureSettings",
     "Regressor",
     "RelevanceVectorRegressor",
     "RidgeRegressor",
@@ -44,5 +48,6 @@ __all__ = [
     "SupportVectorRegressor",
     "SvmSettings",
     "check_methods",
+    "choose_mixture",
     "follow_bridges",
 ]

@@ -26,11 +26,11 @@ class MixtureSettings:
     """Of `MixtureOfRegressors`: one value, or a list for validation to choose from."""
 
     clusters: int | list[int] = field(default_factory=lambda: [30, 60, 120])
-    dimensions: int = 60
+    dimensions: int = 90
     damping: float = 30.0
     temperature: Values = field(default_factory=lambda: [4.0, 8.0, 16.0])
     noise_width: Values = field(default_factory=lambda: [1.0, 2.0, 4.0])
-    sharpness: Values = field(default_factory=lambda: [1.0, 1.4, 2.0, 2.8, 4.0])
+    sharpness: Values = field(default_factory=lambda: [0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.8, 4.0])
     floor: float = 0.1
     hellinger: bool = True
     random_state: int | None = 0
@@ -118,16 +118,22 @@ def _calibrated(
     exponents: Sequence[float],
     distance: Callable[[Array, Array], Array],
 ) -> float:
-    """Exponent under which weights best predict which mode is nearest to the truth."""
-    surprise = np.zeros(len(exponents))
-    for mixture, z, x in judges:
+    """Exponent under which weights best predict which mode is nearest to the truth.
+
+    Brier scores of the folds are averaged geometrically, as errors are by which trackers are
+    chosen: a sequence that resembles no other is not to decide.
+    """
+    scores = np.empty((len(judges), len(exponents)))
+    for row, (mixture, z, x) in zip(scores, judges, strict=True):
         for k, exponent in enumerate(exponents):
             mixture.set_params(sharpness=exponent)
             weights, means, _ = mixture.predict_modes(z, _MODES)
             nearest = np.where(weights > 0, distance(x[:, None], means), np.inf).argmin(axis=1)
             met = np.arange(_MODES) == nearest[:, None]
-            surprise[k] += float(((weights - met) ** 2).sum())  # Brier's score
-    return exponents[int(surprise.argmin())]
+            row[k] = ((weights - met) ** 2).sum(axis=1).mean()
+    frames = [len(z) for _, z, _ in judges]
+    means = np.average(np.log(np.maximum(scores, 1e-12)), axis=0, weights=frames)
+    return exponents[int(means.argmin())]
 
 
 def _joined(examples: Examples) -> tuple[Array, Array]:
