@@ -22,13 +22,19 @@ from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import Described, prepare, tidy
 from silpose.pose import PoseSpace
 from silpose.recording import Truth, record_modes, texts
-from silpose.regression import MixtureOfRegressors, RidgeRegressor, choose_mixture
+from silpose.regression import (
+    MixtureOfRegressors,
+    RidgeRegressor,
+    among_themselves,
+    choose_mixture,
+)
 from silpose.run import Run
 
 Array = NDArray[np.float64]
 Rows = list[dict[str, object]]
 
 BEST_OF = (1, 2, 4, 8)
+WIDTHS = (1, 2, 4, 8, 16, 32)  # factors of a peer's variances, to choose from
 _BINS = 5  # of weights, in which calibration is judged
 _FEW = 30  # modes in a bin, below which it is not
 
@@ -60,13 +66,12 @@ def mixture(rooms: Rooms, run: Run, gmr: Sequence[int]) -> None:
             "neighbours": neighbour_modes(z_train, x_train, z, max(BEST_OF)),
         }
         likelihoods = {"mixture_top1": model.log_likelihoods(z, x)}
-        widths = np.atleast_1d(settings.noise_width).tolist()
         data = described.train, described.validation, model
-        single, width = choose_peer([lambda: SingleGaussian(ridge)], widths, *data)
+        single, width = choose_peer([lambda: SingleGaussian(ridge)], WIDTHS, *data)
         likelihoods["ridge"] = single.log_likelihoods(z, x, width)
         if find_spec("gmr") and gmr:
             makers = [lambda k=k: GaussianMixtureRegression(k) for k in gmr]
-            joint, width = choose_peer(makers, widths, *data)
+            joint, width = choose_peer(makers, WIDTHS, *data)
             assert isinstance(joint, GaussianMixtureRegression)
             likelihoods["gmr_top1"] = joint.log_likelihoods(z, x, width)
             modes["gmr"] = joint.predict_modes(z, max(BEST_OF))
@@ -102,10 +107,10 @@ def best_of(space: PoseSpace, modes: Mapping[str, Array], x: Array) -> dict[str,
 
 
 def reliability_of(space: PoseSpace, weights: Array, means: Array, x: Array) -> Rows:
-    """By bins of weight: how often is a mode the one nearest to the truth?"""
+    """By bins of weight among the modes: how often is a mode the one nearest to the truth?"""
     distances = np.where(weights > 0, space.distance(x[:, None], means), np.inf)
     met = (np.arange(weights.shape[1]) == distances.argmin(axis=1)[:, None])[weights > 0]
-    weight = weights[weights > 0]
+    weight = among_themselves(weights)[weights > 0]
     which = np.minimum((weight * _BINS).astype(int), _BINS - 1)
     bins = [which == b for b in range(_BINS)]
     return [
@@ -181,6 +186,6 @@ def _figure(
         "o-",
         color=TRUE,
     )
-    calibration.set(xlabel="weight of a mode", ylabel="share that is nearest to the truth")
+    calibration.set(xlabel="weight of a mode among the modes", ylabel="share that is nearest to the truth")
     calibration.set(xlim=(0, 1), ylim=(0, 1))
     figure.savefig(path, dpi=120, format="png")

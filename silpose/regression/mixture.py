@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp
 from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
+from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.errors import InputError
@@ -55,7 +56,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
     noise_width : float
         Factor of Λ_k when they answer: likewise poses.
     doubt : float
-        Least probability that none of the components is right.
+        Probability, before anything is seen, that none of the components is right.
     floor : float
         Least standard deviation of an output, in its own standard deviations.
     agreement : float
@@ -82,6 +83,8 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
     experts_ : Experts
     objective_ : list of float
         What EM maximises, penalised log-likelihood per example, before each round.
+    n_iter_ : int
+        Rounds of EM.
     pruned_ : list of int
         Rounds before which starved components were taken out; only there may it fall.
     """
@@ -153,8 +156,14 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
             psi, poses, labels, self._prior(psi, poses, labels), 0.5 * self.smallest,
             self.max_iter, self.tol,
         )  # fmt: skip
+        self.n_iter_ = len(self.objective_)
         self._anywhere(psi)
         return self
+
+    def __sklearn_tags__(self) -> Tags:
+        tags = super().__sklearn_tags__()
+        tags.regressor_tags.poor_score = True  # `score` is a log-likelihood, and no R²
+        return tags
 
     def _check(self, inputs: Array) -> None:
         for name in _POSITIVE:
@@ -162,7 +171,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
                 raise InputError(f"{name} must be positive, not {getattr(self, name)}")
         if self.clusters > len(inputs):
             raise InputError(
-                f"{self.clusters} clusters want as many examples, not {len(inputs)}: "
+                f"{self.clusters} clusters want as many examples, and n_samples = {len(inputs)}: "
                 "give more, or fewer clusters"
             )
         if not 0 <= self.doubt < 1:
@@ -196,6 +205,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
 
     def predict(self, X: ArrayLike) -> Array:
         """Estimate outputs, shape (n, D): the most probable mode, or the mean of the mixture."""
+        check_is_fitted(self)
         if self.answer == "mode":
             estimated = self.predict_modes(X, 1)[1][:, 0]
         else:
@@ -225,12 +235,13 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
             raise InputError(f"at least one mode is to be asked for, not {k}")
         noises, several = self.experts_.noises, max(k, _MODES)
         found = [
-            distinct_modes(np.exp(w[:, :-1]), m, noises, self.noise_width, several, self.agreement)
+            (1 - np.exp(w[:, -1:]),)
+            + distinct_modes(_shares(w), m, noises, self.noise_width, several, self.agreement)
             for w, m in self._blocks(self._inputs(z))
         ]
-        weights, means, variances = (np.concatenate(part) for part in zip(*found, strict=True))
+        any_is, weights, means, variances = map(np.concatenate, zip(*found, strict=True))
         means, variances = means[:, :k], variances[:, :k]
-        weights = sharpened(weights, self.sharpness)[:, :k]
+        weights = any_is * sharpened(weights, self.sharpness)[:, :k]
         return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
     def sample(self, z: ArrayLike, count: int = 1, seed: int | None = None) -> Array:
@@ -273,13 +284,10 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         gates = self.experts_.log_gates(psi, self.temperature)
         mean, variance = self.anywhere_
         off = ((psi - mean) ** 2 / variance + np.log(2 * np.pi * variance)).sum(axis=1)
-        anywhere = -0.5 * off / self.temperature - np.log(self.components_)
-        gates = np.column_stack([gates, anywhere])
-        gates -= logsumexp(gates, axis=1, keepdims=True)
         with np.errstate(divide="ignore"):
-            gates += np.log1p(-self.doubt)
-            gates[:, -1] = np.logaddexp(gates[:, -1], np.log(self.doubt))
-        return gates
+            anywhere = np.log(self.doubt) - 0.5 * off / self.temperature
+        gates = np.column_stack([np.log1p(-self.doubt) + gates, anywhere])
+        return gates - logsumexp(gates, axis=1, keepdims=True)
 
     def _noises(self) -> Array:
         """Variances that answers have, of K components and of none: shape (K + 1, D)."""
@@ -300,3 +308,9 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
         """Log-likelihood per example, of outputs at unit variance."""
         return float(np.average(self.log_likelihoods(X, y), weights=sample_weight))
+
+
+def _shares(log_weights: Array) -> Array:
+    """Weights of the components (n, K) if one of them is right: rows sum to 1."""
+    own = log_weights[:, :-1]
+    return np.exp(own - logsumexp(own, axis=1, keepdims=True))

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from silpose.dataset.folds import folds
 from silpose.progress import bar
 from silpose.regression.mixture import MixtureOfRegressors
+from silpose.regression.modes import among_themselves
 from silpose.regression.settings import numbers
 
 Array = NDArray[np.float64]
@@ -118,7 +119,7 @@ def _calibrated(
     exponents: Sequence[float],
     distance: Callable[[Array, Array], Array],
 ) -> float:
-    """Exponent under which weights best predict which mode is nearest to the truth.
+    """Exponent under which weights best tell which of the modes is nearest to the truth.
 
     Brier scores of the folds are averaged geometrically, as errors are by which trackers are
     chosen: a sequence that resembles no other is not to decide.
@@ -130,7 +131,7 @@ def _calibrated(
             weights, means, _ = mixture.predict_modes(z, _MODES)
             nearest = np.where(weights > 0, distance(x[:, None], means), np.inf).argmin(axis=1)
             met = np.arange(_MODES) == nearest[:, None]
-            row[k] = ((weights - met) ** 2).sum(axis=1).mean()
+            row[k] = ((among_themselves(weights) - met) ** 2).sum(axis=1).mean()
     frames = [len(z) for _, z, _ in judges]
     means = np.average(np.log(np.maximum(scores, 1e-12)), axis=0, weights=frames)
     return exponents[int(means.argmin())]

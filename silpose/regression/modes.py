@@ -57,7 +57,12 @@ def distinct_modes(
 
 
 def sharpened(weights: Array, exponent: float) -> Array:
-    """Raise modes' weights (n, k), and what is missing to 1, to a power, and make 1 of all."""
-    missing = np.maximum(1 - weights.sum(axis=1, keepdims=True), 0)
-    every = np.hstack([weights, missing]) ** exponent
-    return every[:, :-1] / every.sum(axis=1, keepdims=True)
+    """Raise modes' weights (n, k) to a power, their sum kept: what is missing to 1 stays so."""
+    powers = (weights / weights.max(axis=1, keepdims=True)) ** exponent
+    return powers * weights.sum(axis=1, keepdims=True) / powers.sum(axis=1, keepdims=True)
+
+
+def among_themselves(weights: Array) -> Array:
+    """Weights of modes (n, k) if one of them is right: rows sum to 1, or are 0 if none can be."""
+    total = weights.sum(axis=1, keepdims=True)
+    return np.where(total > 0, weights / np.where(total > 0, total, 1), 0)
