@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from silpose.experiments.ambiguity import ambiguity
 from silpose.experiments.bridges import bridges
 from silpose.experiments.damping import damping
 from silpose.experiments.extinction import extinction
@@ -19,6 +20,7 @@ from silpose.experiments.tracking import tracking
 EXPERIMENTS: dict[str, Callable[..., None]] = {
     experiment.__name__: experiment
     for experiment in (
+        ambiguity,
         bridges,
         damping,
         extinction,
