@@ -1,4 +1,4 @@
-"""Which silhouettes have several explanations, and which of these does the mixture find?
+"""Silhouettes with several explanations, and which of these the mixture finds.
 
 The paper's Fig. 1, and the beginning of its section VI.
 """
@@ -67,9 +67,7 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
     with run.writing("ambiguity.png") as path:
         _figure(path, space, shares, means, rivals, kinds)
     take, frames = described.data.test[0], slice(len(described.data.test[0]))
-    errors = {
-        f"mode_{k + 1}": space.distance(take.x, means[frames, k]) for k in range(2)
-    }
+    errors = {f"mode_{k + 1}": space.distance(take.x, means[frames, k]) for k in range(2)}
     with run.stage("recording"), run.writing("run.rrd") as path:
         record_modes(
             path,
@@ -170,7 +168,8 @@ def _figure(
 ) -> None:
     """Draw the frames whose second mode is likeliest of its kind, and where such frames are."""
     figure = Figure(figsize=(12, 6), layout="constrained")
-    above, below = figure.subfigures(2, 1, height_ratios=[2.2, 1])
+    grid = figure.add_gridspec(2, 1, height_ratios=[2.2, 1])
+    above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     panels = []
     for kind in KINDS:
         own = np.flatnonzero(rivals & (kinds == kind))

@@ -107,7 +107,7 @@ def best_of(space: PoseSpace, modes: Mapping[str, Array], x: Array) -> dict[str,
 
 
 def reliability_of(space: PoseSpace, weights: Array, means: Array, x: Array) -> Rows:
-    """By bins of weight among the modes: how often is a mode the one nearest to the truth?"""
+    """Count how often a mode is nearest to the truth, by bins of its weight among the modes."""
     distances = np.where(weights > 0, space.distance(x[:, None], means), np.inf)
     met = (np.arange(weights.shape[1]) == distances.argmin(axis=1)[:, None])[weights > 0]
     weight = among_themselves(weights)[weights > 0]
@@ -186,6 +186,8 @@ def _figure(
         "o-",
         color=TRUE,
     )
-    calibration.set(xlabel="weight of a mode among the modes", ylabel="share that is nearest to the truth")
+    calibration.set(
+        xlabel="weight of a mode among the modes", ylabel="share that is nearest to the truth"
+    )
     calibration.set(xlim=(0, 1), ylim=(0, 1))
     figure.savefig(path, dpi=120, format="png")

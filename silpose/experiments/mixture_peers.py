@@ -24,7 +24,7 @@ class Peer(Protocol):
         """Learn; from `mixture` come the reduced input, the standard scale and the floor."""
 
     def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
-        """log p(x|z), shape (n,), on the standard scale."""
+        """Log p(x|z), shape (n,), on the standard scale."""
 
 
 class SingleGaussian:
@@ -46,7 +46,7 @@ class SingleGaussian:
         return self
 
     def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
-        """log p(x|z), shape (n,), on the standard scale."""
+        """Log p(x|z), shape (n,), on the standard scale."""
         varies, scale = self._mixture.varies_, self._mixture.scale_
         estimated, std = self._fitted.predict(z, return_std=True)
         variance = np.maximum(width * (std / scale) ** 2, self._mixture.floor**2)[:, varies]
@@ -104,7 +104,7 @@ class GaussianMixtureRegression:
         return gates - logsumexp(gates, axis=1, keepdims=True), means
 
     def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
-        """log p(x|z), shape (n,), on the standard scale; eigenvalues have the common floor."""
+        """Log p(x|z), shape (n,), on the standard scale; eigenvalues have the common floor."""
         gates, means = self._conditioned(z)
         variance = np.maximum(width * self._values, self._mixture.floor**2)
         along = (self._standard(x) - means) @ self._vectors

@@ -78,12 +78,17 @@ def record_modes(
 
 
 def _translucent(
-    track: Track, entity: str, joints: Array, weights: Array, space: PoseSpace, colour: palette.Colour
+    track: Track,
+    entity: str,
+    joints: Array,
+    weights: Array,
+    space: PoseSpace,
+    colour: palette.Colour,
 ) -> None:
     """Log a skeleton that fades into the background, and thins, with its weight."""
     bones = np.asarray(space.bones)
     drawn = np.flatnonzero(weights >= _LEAST)
-    lengths = np.where(weights >= _LEAST, len(bones), 0)
+    lengths = [len(bones) if weight >= _LEAST else 0 for weight in weights]
     seen = np.sqrt(weights[drawn])[:, None]
     sides = [space.joint_names[child].split("_")[0] for _, child in bones]
     shades = np.array([palette.shade(colour, side) for side in sides])

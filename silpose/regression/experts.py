@@ -93,7 +93,7 @@ class Experts:
             spreads, slopes, offsets, noises)))  # fmt: skip
 
     def log_gates(self, inputs: Array, temperature: float = 1.0) -> Array:
-        """log π_k + log N(ψ; μ_k, S_k) / temperature, shape (n, K)."""
+        """Log π_k + log N(ψ; μ_k, S_k) / temperature, shape (n, K)."""
         precision = 1 / self.spreads
         squared = inputs**2 @ precision.T - 2 * inputs @ (self.centres * precision).T
         squared += (self.centres**2 * precision + np.log(2 * np.pi * self.spreads)).sum(axis=1)
@@ -107,7 +107,7 @@ class Experts:
         return means
 
     def log_densities(self, inputs: Array, poses: Array) -> Array:
-        """log N(x; x̄_k, Λ_k), shape (n, K)."""
+        """Log N(x; x̄_k, Λ_k), shape (n, K)."""
         densities = np.empty((len(inputs), len(self.offsets)))
         for k, (slope, noise) in enumerate(zip(self.slopes, self.noises, strict=True)):
             off = poses - self.offsets[k] - (inputs - self.centres[k]) @ slope

@@ -8,7 +8,6 @@ output say that one silhouette means several poses, and EM.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +17,7 @@ from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.errors import InputError
-from silpose.regression.experts import Experts, Prior, expectation_maximisation
+from silpose.regression.experts import Prior, expectation_maximisation
 from silpose.regression.local_clusters import local_clusters
 from silpose.regression.modes import distinct_modes, sharpened
 from silpose.regression.reduction import PoseDirections
@@ -210,7 +209,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
             estimated = self.predict_modes(X, 1)[1][:, 0]
         else:
             blocks = self._blocks(self._inputs(X))
-            means = [np.einsum("nk,nkd->nd", np.exp(w[:, :-1]), m) for w, m in blocks]
+            means = [np.einsum("nk,nkd->nd", np.exp(w), m) for w, m in blocks]
             estimated = np.concatenate(means) * self.scale_ + self.mean_
         return estimated[:, 0] if self._single else estimated
 
@@ -233,15 +232,15 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         """
         if k < 1:
             raise InputError(f"at least one mode is to be asked for, not {k}")
-        noises, several = self.experts_.noises, max(k, _MODES)
+        several = max(k, _MODES)
+        answer = self.experts_.noises, self.noise_width, several, self.agreement
         found = [
-            (1 - np.exp(w[:, -1:]),)
-            + distinct_modes(_shares(w), m, noises, self.noise_width, several, self.agreement)
+            (1 - np.exp(w[:, -1:]), *distinct_modes(_shares(w), m[:, :-1], *answer))
             for w, m in self._blocks(self._inputs(z))
         ]
-        any_is, weights, means, variances = map(np.concatenate, zip(*found, strict=True))
+        some, weights, means, variances = map(np.concatenate, zip(*found, strict=True))
         means, variances = means[:, :k], variances[:, :k]
-        weights = any_is * sharpened(weights, self.sharpness)[:, :k]
+        weights = some * sharpened(weights, self.sharpness)[:, :k]
         return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
     def sample(self, z: ArrayLike, count: int = 1, seed: int | None = None) -> Array:
@@ -251,14 +250,13 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         for log_weights, means in self._blocks(self._inputs(z)):
             order = np.cumsum(np.exp(log_weights), axis=1)[:, None]
             which = (random.random((len(means), count, 1)) * order[..., -1:] > order).sum(axis=-1)
-            means = np.concatenate([means, np.zeros_like(means[:, :1])], axis=1)
             noises = self._noises()[which]
             centre = np.take_along_axis(means, which[..., None], axis=1)
             drawn.append(centre + np.sqrt(noises) * random.standard_normal(centre.shape))
         return np.concatenate(drawn) * self.scale_ + self.mean_
 
     def log_likelihoods(self, z: ArrayLike, x: ArrayLike) -> Array:
-        """log p(x|z) of each example, shape (n,).
+        """Log p(x|z) of each example, shape (n,).
 
         Outputs are on the scale of their standard deviations in training, and those that are
         constant there are left out.
@@ -270,15 +268,10 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         found, start = [], 0
         for log_weights, means in self._blocks(self._inputs(z)):
             true = poses[start : start + len(means), None, varies]
-            means = np.concatenate([means, np.zeros_like(means[:, :1])], axis=1)[..., varies]
-            off = ((true - means) ** 2 / noises).sum(axis=-1)
+            off = ((true - means[..., varies]) ** 2 / noises).sum(axis=-1)
             found.append(logsumexp(log_weights - 0.5 * (off + constant), axis=1))
             start += len(means)
         return np.concatenate(found)
-
-    def log_weights(self, z: ArrayLike) -> Array:
-        """log π_k(z), shape (n, K + 1); the last is that none of the components is right."""
-        return self._log_weights(self.reduction_.transform(self._inputs(z)))
 
     def _log_weights(self, psi: Array) -> Array:
         gates = self.experts_.log_gates(psi, self.temperature)
@@ -295,11 +288,13 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         return np.vstack([own, np.ones(own.shape[1])])
 
     def _blocks(self, inputs: Array) -> Iterator[tuple[Array, Array]]:
-        """Log weights and means of all components, for a few inputs at a time."""
+        """Log weights and means of K components and of none, for a few inputs at a time."""
         psi = self.reduction_.transform(inputs)
         for start in range(0, len(psi), _BLOCK):
             some = psi[start : start + _BLOCK]
-            yield self._log_weights(some), self.experts_.means(some)
+            means = self.experts_.means(some)
+            anything = np.zeros_like(means[:, :1])  # the mean of all poses
+            yield self._log_weights(some), np.concatenate([means, anything], axis=1)
 
     def _inputs(self, z: ArrayLike) -> Array:
         check_is_fitted(self)
@@ -307,7 +302,8 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
 
     def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
         """Log-likelihood per example, of outputs at unit variance."""
-        return float(np.average(self.log_likelihoods(X, y), weights=sample_weight))
+        weights = None if sample_weight is None else np.asarray(sample_weight, dtype=float)
+        return float(np.average(self.log_likelihoods(X, y), weights=weights))
 
 
 def _shares(log_weights: Array) -> Array:
