@@ -176,10 +176,10 @@ def _figure(
         best = own[np.argsort(-shares[own, 1], kind="stable")]
         panels += [(frame, kind) for frame in _spread(best, 2)]
     for axes, (frame, kind) in zip(above.subplots(1, 6), panels, strict=False):
-        for k, colour in ((0, ESTIMATED), (1, TRUE)):
-            joints = space.joints(means[frame, k])
+        two = space.joints(means[frame, :2])
+        for joints, colour, width in zip(two, (ESTIMATED, TRUE), (2.2, 1.2), strict=True):
             for bone in space.bones:
-                axes.plot(*joints[list(bone), :2].T, color=colour, lw=2.2 - k)
+                axes.plot(*joints[list(bone), :2].T, color=colour, lw=width)
         axes.set_aspect("equal")
         axes.set_title(
             f"frame {frame}: {kind}\n{shares[frame, 0]:.0%} and {shares[frame, 1]:.0%}", fontsize=8

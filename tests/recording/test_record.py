@@ -17,6 +17,7 @@ from silpose.recording import (
     record_bridges,
     record_extinction,
     record_features,
+    record_modes,
     record_study,
     record_tracking,
     texts,
@@ -25,8 +26,14 @@ from silpose.silhouette import Camera
 from silpose.tracking import Track
 
 TEXTS = texts("a sequence", "seed: 0\n", {"rvm": {"error": 1.0}})
-# One entity below each per method, per part, per tracker.
-PER_SOMETHING = (entities.ERROR, entities.FEATURES, entities.TRACKS, entities.KERNELS)
+# One entity below each per method, per part, per tracker, per mode.
+PER_SOMETHING = (
+    entities.ERROR,
+    entities.FEATURES,
+    entities.TRACKS,
+    entities.KERNELS,
+    entities.MODES,
+)
 ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {entities.REASONS}
 
 
@@ -36,7 +43,7 @@ def recordings(finished, sequence, tmp_path_factory):
     folder = tmp_path_factory.mktemp("kinds")
     paths = [
         folder / f"{kind}.rrd"
-        for kind in ("study", "bridges", "features", "tracking", "extinction")
+        for kind in ("study", "bridges", "features", "tracking", "extinction", "modes")
     ]
     figure = folder / "figure.png"
     cv2.imwrite(str(figure), np.random.default_rng(0).integers(0, 255, (40, 60, 3)))
@@ -54,6 +61,10 @@ def recordings(finished, sequence, tmp_path_factory):
     record_tracking(paths[3], "tracking", sequence, truth, tracks, track, ANGLES, TEXTS)
     kernels = {"usual": np.eye(5), "narrow": np.zeros((5, 5))}
     record_extinction(paths[4], "extinction", figure, kernels, errors, 15.0, TEXTS)
+    weights = np.tile([0.7, 0.3], (len(sequence), 1))
+    weights[::2] = [1.0, 0.0]  # where there is one answer only
+    modes = np.stack([sequence.x, sequence.x[::-1]], axis=1)
+    record_modes(paths[5], "modes", sequence, truth, weights, modes, ANGLES, TEXTS)
     return [finished.recording, *paths]
 
 
