@@ -89,7 +89,7 @@ def _translucent(
     bones = np.asarray(space.bones)
     drawn = np.flatnonzero(weights >= _LEAST)
     lengths = [len(bones) if weight >= _LEAST else 0 for weight in weights]
-    seen = np.sqrt(weights[drawn])[:, None]
+    seen = np.cbrt(weights[drawn])[:, None]  # half as probable is still to be seen
     sides = [space.joint_names[child].split("_")[0] for _, child in bones]
     shades = np.array([palette.shade(colour, side) for side in sides])
     faded = seen[..., None] * shades + (1 - seen[..., None]) * np.array(palette.BACKGROUND)
@@ -98,7 +98,7 @@ def _translucent(
         rr.LineStrips3D.columns(
             strips=joints[drawn][:, bones].reshape(-1, 2, 3).astype(np.float32),
             colors=faded.reshape(-1, 3).astype(np.uint8),
-            radii=np.repeat(0.004 + 0.008 * weights[drawn], len(bones)),
+            radii=np.repeat(0.007 + 0.008 * weights[drawn], len(bones)),
         ),
         lengths,
     )
