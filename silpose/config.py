@@ -183,6 +183,7 @@ def furnish(settings: DictConfig) -> Rooms:
     from silpose.regression import (
         BasisSettings,
         Candidates,
+        MixtureSettings,
         RidgeSettings,
         RvmSettings,
         SvmSettings,
@@ -209,6 +210,7 @@ def furnish(settings: DictConfig) -> Rooms:
         "ridge": RidgeSettings,
         "rvm": RvmSettings,
         "svm": SvmSettings,
+        "mixture": MixtureSettings,
     }
     tracking = {
         "tracker": TrackerSettings,

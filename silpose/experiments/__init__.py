@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from silpose.experiments.ambiguity import ambiguity
 from silpose.experiments.bridges import bridges
 from silpose.experiments.contact_sheet import contact_sheet
 from silpose.experiments.damping import damping
@@ -13,6 +14,7 @@ from silpose.experiments.feature_selection import feature_selection
 from silpose.experiments.initialisation import initialisation
 from silpose.experiments.kernel_widths import kernel_widths
 from silpose.experiments.lookalikes import lookalikes
+from silpose.experiments.mixture import mixture
 from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
@@ -30,6 +32,7 @@ EXPERIMENTS: dict[str, Callable[..., None]] = {
         *(descriptor_space, similarity, descriptor_robustness, descriptor_choices),
         *(bridges, parts, feature_selection, regressors),
         *(tracking, extinction, damping, kernel_widths, initialisation),
+        *(mixture, ambiguity),
     )
 }
 

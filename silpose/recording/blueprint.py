@@ -109,6 +109,32 @@ def tracking(
     return layout([seen, answered, texts_view()], [1, 2.6, 1.1], frames_per_second)
 
 
+def modes(
+    count: int, shown: Sequence[str], frames_per_second: float, metric: str, masks: bool
+) -> rrb.Blueprint:
+    """Lay out several answers to each silhouette, and how probable each is."""
+    each = [f"{entities.MODES}/{k + 1}" for k in range(count)]
+    answered = rrb.Vertical(
+        bodies_view(
+            "true pose (blue) and several estimates: the brighter, the more probable",
+            [entities.TRUE_SKELETON, *(f"{mode}/skeleton" for mode in each)],
+            FROM_THE_SIDE,
+        ),
+        series_view("probability of each mode", [f"{mode}/weight" for mode in each], (0.0, 1.0)),
+        series_view(
+            "heading, degrees", [entities.TRUE_HEADING, *(f"{m}/heading" for m in each[:2])]
+        ),
+        series_view(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
+        row_shares=[3.2, 0.9, 1, 1],
+    )
+    if not masks:
+        return layout([answered, texts_view()], [2.6, 1], frames_per_second)
+    mask = rrb.Spatial2DView(
+        origin=entities.CAMERA, contents=[entities.MASK], name="silhouette: mask"
+    )
+    return layout([mask, answered, texts_view()], [1, 2, 1], frames_per_second)
+
+
 def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
     """Lay out kernels that stop firing, and what becomes of the track."""
     kernels = [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -81,6 +81,13 @@ class Track:
             rr.Pinhole(focal_length=height, width=width, height=height),
             static=True,
         )
+
+    def masks_alone(self, masks: Iterable[NDArray[np.uint8]]) -> None:
+        """Log masks, all of one size, where no camera is known."""
+        masks = list(masks)
+        height, width = masks[0].shape
+        self.image_plane(width, height)
+        self.masks(masks)
 
     def points(self, entity: str, points: Sequence[NDArray[Any]], colour: palette.Colour) -> None:
         """Log points in a picture, per frame (P, 2) in pixels."""

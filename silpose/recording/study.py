@@ -50,8 +50,7 @@ def record_study(
         recording.log(entities.FIGURE, rr.EncodedImage(path=figure), static=True)
         track = Track(recording, len(next(iter(series.values()), ())), frames_per_second)
         if len(masks):
-            track.image_plane(masks[0].shape[1], masks[0].shape[0])
-            track.masks(masks)
+            track.masks_alone(masks)
         for k, (what, errors) in enumerate(series.items()):
             entity = f"{entities.ERROR}/{what.replace(' ', '_')}"
             track.series(entity, errors, what, palette.hue(k, len(series)), 1.5)
@@ -96,8 +95,7 @@ def record_features(
     layout = blueprint.features(list(marked), frames_per_second)
     with recording_stream(path, name, texts, layout) as recording:
         track = Track(recording, len(masks), frames_per_second)
-        track.image_plane(masks.shape[2], masks.shape[1])
-        track.masks(list(masks))
+        track.masks_alone(masks)
         for part, own in marked.items():
             chosen = [p[m] for p, m in zip(points, own, strict=True)]
             track.points(f"{entities.FEATURES}/{part}", chosen, palette.ESTIMATED)

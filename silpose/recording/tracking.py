@@ -58,9 +58,7 @@ def record_tracking(
     with recording_stream(path, name, texts, layout) as recording:
         lines = Lines(recording, len(take), take.frames_per_second)
         if take.masks is not None:
-            masks = list(take.masks)
-            lines.image_plane(masks[0].shape[1], masks[0].shape[0])
-            lines.masks(masks)
+            lines.masks_alone(take.masks)
         place = _APART * (np.arange(len(tracks)) - (len(tracks) - 1) / 2)
         places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
         height = truth.root * (0, 1, 0)

@@ -11,6 +11,9 @@
 
 from silpose.regression.basis import Basis
 from silpose.regression.follow import Steps, follow_bridges
+from silpose.regression.mixture import MixtureOfRegressors
+from silpose.regression.mixture_choice import MixtureSettings, choose_mixture
+from silpose.regression.modes import among_themselves
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
 from silpose.regression.rvm import RelevanceVectorRegressor
@@ -35,6 +38,8 @@ __all__ = [
     "BasisSettings",
     "Candidates",
     "Chosen",
+    "MixtureOfRegressors",
+    "MixtureSettings",
     "Regressor",
     "RelevanceVectorRegressor",
     "RidgeRegressor",
@@ -43,6 +48,8 @@ __all__ = [
     "Steps",
     "SupportVectorRegressor",
     "SvmSettings",
+    "among_themselves",
     "check_methods",
+    "choose_mixture",
     "follow_bridges",
 ]

@@ -15,6 +15,7 @@ from silpose.progress import bar
 from silpose.regression.basis import Basis
 from silpose.regression.bridges import Bridges, cross
 from silpose.regression.elimination import sparsest_within
+from silpose.regression.mixture_choice import MixtureSettings
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
@@ -66,12 +67,15 @@ class Candidates:
     ridge : RidgeSettings
     rvm : RvmSettings
     svm : SvmSettings
+    mixture : MixtureSettings
+        Chosen by `choose_mixture`.
     """
 
     basis: BasisSettings = field(default_factory=BasisSettings)
     ridge: RidgeSettings = field(default_factory=RidgeSettings)
     rvm: RvmSettings = field(default_factory=RvmSettings)
     svm: SvmSettings = field(default_factory=SvmSettings)
+    mixture: MixtureSettings = field(default_factory=MixtureSettings)
 
     def choose(
         self,

@@ -15,11 +15,11 @@ from scipy.sparse import csr_array
 from sklearn.cluster import KMeans
 
 from silpose.pose import PoseSpace
+from silpose.regression.reduction import whitening
 
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
 
-_SHRINKAGE = 1.0  # of the scatter within key poses towards a multiple of the identity
 _SHARED = 1.0  # damping of the regression within key poses, in mean variances of the inputs
 
 
@@ -76,15 +76,15 @@ class KeyPoses:
         frames = np.arange(len(poses))
         members = csr_array((1 / size[labels], (labels, frames)), shape=(len(kept), len(poses)))
         roots = np.sqrt(np.concatenate([z for z, _ in sequences]))
-        whitening = _whitening(roots - (members @ roots)[labels])
-        seen = roots @ whitening
+        directions = whitening(roots - (members @ roots)[labels])
+        seen = roots @ directions
         centres, descriptors = members @ poses, members @ seen
         within = seen - descriptors[labels]
         gram = within.T @ within
         gram.flat[:: len(gram) + 1] += _SHARED * max(np.trace(gram) / len(gram), 1e-12)
         slope = np.linalg.solve(gram, within.T @ (poses - centres[labels]))
         spread = max(float((within**2).sum(axis=1).mean()), 1e-12)
-        return cls(mean, scale, whitening, centres, descriptors, spread, slope, following, members)
+        return cls(mean, scale, directions, centres, descriptors, spread, slope, following, members)
 
     def transitions(self, width: float, restart: float) -> Array:
         """Probability (K, K) that one key pose follows another, a frame later.
@@ -115,11 +115,3 @@ def _following(take: Array) -> Array:
     """Give the pose after each; after the last, what its velocity leads to."""
     last = 2 * take[-1:] - take[-2:-1] if len(take) > 1 else take[-1:]
     return np.vstack([take[1:], last])
-
-
-def _whitening(residuals: Array) -> Array:
-    scatter = residuals.T @ residuals / len(residuals)
-    typical = max(np.trace(scatter) / len(scatter), 1e-12)
-    scatter.flat[:: len(scatter) + 1] += _SHRINKAGE * typical
-    values, vectors = np.linalg.eigh(scatter)
-    return vectors / np.sqrt(values)

@@ -20,6 +20,7 @@ from silpose.recording import (
     record_context_space,
     record_extinction,
     record_features,
+    record_modes,
     record_study,
     record_tracking,
     texts,
@@ -28,8 +29,14 @@ from silpose.silhouette import Camera
 from silpose.tracking import Track
 
 TEXTS = texts("a sequence", "seed: 0\n", {"rvm": {"error": 1.0}})
-# One entity below each per method, per part, per tracker.
-PER_SOMETHING = (entities.ERROR, entities.FEATURES, entities.TRACKS, entities.KERNELS)
+# One entity below each per method, per part, per tracker, per mode.
+PER_SOMETHING = (
+    entities.ERROR,
+    entities.FEATURES,
+    entities.TRACKS,
+    entities.KERNELS,
+    entities.MODES,
+)
 ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
     entities.REASONS,
     entities.SPACE,
@@ -40,7 +47,7 @@ ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
 def recordings(finished, sequence, tmp_path_factory):
     """One file of every kind of recording."""
     folder = tmp_path_factory.mktemp("kinds")
-    kinds = ("study", "bridges", "features", "tracking", "extinction", "space")
+    kinds = ("study", "bridges", "features", "tracking", "extinction", "space", "modes")
     paths = [folder / f"{kind}.rrd" for kind in kinds]
     figure = folder / "figure.png"
     cv2.imwrite(str(figure), np.random.default_rng(0).integers(0, 255, (40, 60, 3)))
@@ -67,6 +74,10 @@ def recordings(finished, sequence, tmp_path_factory):
     )
     codebook = descriptor.codebook_
     record_context_space(paths[5], "space", few, described, space, codebook, 12, 15.0, TEXTS)
+    weights = np.tile([0.7, 0.3], (len(sequence), 1))
+    weights[::2] = [1.0, 0.0]  # where there is one answer only
+    modes = np.stack([sequence.x, sequence.x[::-1]], axis=1)
+    record_modes(paths[6], "modes", sequence, truth, weights, modes, ANGLES, TEXTS)
     return [finished.recording, *paths]
 
 

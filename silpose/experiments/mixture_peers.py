@@ -1,0 +1,152 @@
+"""What a mixture of regressors is measured against, each at its best on held-out sequences."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import logsumexp
+from sklearn.neighbors import NearestNeighbors
+
+from silpose.dataset.folds import folds
+from silpose.regression import MixtureOfRegressors, RidgeRegressor
+
+Array = NDArray[np.float64]
+Examples = Sequence[tuple[Array, Array]]
+
+
+class Peer(Protocol):
+    """Says p(x|z); `width` multiplies its variances."""
+
+    def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> Peer:
+        """Learn; from `mixture` come the reduced input, the standard scale and the floor."""
+
+    def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
+        """Log p(x|z), shape (n,), on the standard scale."""
+
+
+class SingleGaussian:
+    """One regressor with Gaussian noise: the variance it predicts itself.
+
+    Parameters
+    ----------
+    ridge : RidgeRegressor
+        Whose basis and damping are chosen already.
+    """
+
+    def __init__(self, ridge: RidgeRegressor) -> None:
+        self._ridge = ridge
+
+    def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> SingleGaussian:
+        """Fit the regressor."""
+        self._fitted = RidgeRegressor(self._ridge.basis, self._ridge.damping).fit(z, x)
+        self._mixture = mixture
+        return self
+
+    def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
+        """Log p(x|z), shape (n,), on the standard scale."""
+        varies, scale = self._mixture.varies_, self._mixture.scale_
+        estimated, std = self._fitted.predict(z, return_std=True)
+        variance = np.maximum(width * (std / scale) ** 2, self._mixture.floor**2)[:, varies]
+        off = ((x - estimated) / scale)[:, varies] ** 2
+        return -0.5 * (off / variance + np.log(2 * np.pi * variance)).sum(axis=1)
+
+
+class GaussianMixtureRegression:
+    """Joint Gaussian mixture of ψ and x with full covariances, fitted by `gmr`.
+
+    Parameters
+    ----------
+    components : int
+    """
+
+    def __init__(self, components: int) -> None:
+        self._components = components
+
+    def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> GaussianMixtureRegression:
+        """Fit the joint density, and prepare conditioning."""
+        from gmr import GMM
+
+        self._mixture = mixture
+        psi = mixture.reduction_.transform(z)
+        poses = self._standard(x)
+        d = psi.shape[1]
+        joint = GMM(self._components, random_state=0)
+        joint.from_samples(
+            np.hstack([psi, poses]),
+            n_iter=30,
+            init_params="kmeans++",
+            oracle_approximating_shrinkage=True,
+        )
+        self._log_priors = np.log(joint.priors)
+        self._gate, self._offset = joint.means[:, :d], joint.means[:, d:]
+        covariance = joint.covariances
+        self._within = covariance[:, :d, :d]
+        self._slope = np.linalg.solve(self._within, covariance[:, :d, d:])
+        left = covariance[:, d:, d:] - np.swapaxes(covariance[:, :d, d:], 1, 2) @ self._slope
+        self._values, self._vectors = np.linalg.eigh(left)
+        return self
+
+    def _standard(self, x: Array) -> Array:
+        mixture = self._mixture
+        return ((x - mixture.mean_) / mixture.scale_)[:, mixture.varies_]
+
+    def _conditioned(self, z: Array) -> tuple[Array, Array]:
+        """Log weights (n, K) and means (K, n, D) of the components given z."""
+        psi = self._mixture.reduction_.transform(z)
+        off = psi - self._gate[:, None]
+        means = self._offset[:, None] + off @ self._slope
+        solved = np.linalg.solve(self._within, np.swapaxes(off, 1, 2))
+        squared = np.einsum("knd,kdn->nk", off, solved)
+        gates = self._log_priors - 0.5 * (squared + np.linalg.slogdet(self._within)[1])
+        return gates - logsumexp(gates, axis=1, keepdims=True), means
+
+    def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
+        """Log p(x|z), shape (n,), on the standard scale; eigenvalues have the common floor."""
+        gates, means = self._conditioned(z)
+        variance = np.maximum(width * self._values, self._mixture.floor**2)
+        along = (self._standard(x) - means) @ self._vectors
+        off = (along**2 / variance[:, None]).sum(axis=2).T
+        constant = np.log(2 * np.pi * variance).sum(axis=1)
+        return logsumexp(gates - 0.5 * (off + constant), axis=1)
+
+    def predict_modes(self, z: Array, k: int) -> Array:
+        """Means of the k most probable components, best first, shape (n, k, D)."""
+        gates, means = self._conditioned(z)
+        mixture = self._mixture
+        order = np.argsort(-gates, axis=1)[:, :k]
+        chosen = means[order, np.arange(len(z))[:, None]]
+        modes = np.tile(mixture.mean_, (len(z), order.shape[1], 1))
+        modes[..., mixture.varies_] += chosen * mixture.scale_[mixture.varies_]
+        return modes
+
+
+def neighbour_modes(z_train: Array, x_train: Array, z: Array, k: int) -> Array:
+    """Poses of the k nearest training descriptors (Hellinger), best first, shape (n, k, D)."""
+    search = NearestNeighbors(n_neighbors=min(k, len(z_train))).fit(np.sqrt(z_train))
+    return x_train[search.kneighbors(np.sqrt(z), return_distance=False)]
+
+
+def choose_peer(
+    makers: Sequence[Callable[[], Peer]],
+    widths: Sequence[float],
+    train: Examples,
+    validation: Examples,
+    mixture: MixtureOfRegressors,
+) -> tuple[Peer, float]:
+    """Fit the peer, and find the factor of its variances, of highest held-out likelihood."""
+    pairs = folds(train, validation)
+    scores = np.zeros((len(makers), len(widths)))
+    for row, make in zip(scores, makers, strict=True):
+        for learnt, judged in pairs:
+            peer = make().fit(*_joined(learnt), mixture)
+            row += [float(peer.log_likelihoods(*_joined(judged), width).sum()) for width in widths]
+    best, width = np.unravel_index(int(scores.argmax()), scores.shape)
+    return makers[int(best)]().fit(*_joined(train), mixture), widths[int(width)]
+
+
+def _joined(examples: Examples) -> tuple[Array, Array]:
+    z, x = (np.concatenate(part) for part in zip(*examples, strict=True))
+    return z, x

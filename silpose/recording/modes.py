@@ -1,0 +1,103 @@
+"""Recordings of several answers to one silhouette: the surer an answer, the brighter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import rerun as rr
+from numpy.typing import NDArray
+
+from silpose.dataset import Sequence as Take
+from silpose.pose import PoseSpace
+from silpose.recording import blueprint, entities, palette
+from silpose.recording.log import Track
+from silpose.recording.record import Truth
+from silpose.recording.stream import recording_stream
+
+Array = NDArray[np.float64]
+
+_LEAST = 0.03  # weight below which a mode is not drawn
+
+
+def record_modes(
+    path: Path,
+    name: str,
+    take: Take,
+    truth: Truth,
+    weights: Array,
+    means: Array,
+    space: PoseSpace,
+    texts: Mapping[str, str],
+) -> None:
+    """Write the modes of a sequence's frames.
+
+    Parameters
+    ----------
+    path : Path
+    name : str
+        Of the run.
+    take : Sequence
+    truth : Truth
+    weights, means : ndarray, shapes (F, k) and (F, k, D)
+        Modes, the most probable first.
+    space : PoseSpace
+    texts : mapping of str to str
+        Markdown by entity.
+    """
+    count = weights.shape[1]
+    layout = blueprint.modes(
+        count,
+        list(truth.errors),
+        take.frames_per_second,
+        space.metrics[0],
+        take.masks is not None,
+    )
+    with recording_stream(path, name, texts, layout) as recording:
+        track = Track(recording, len(take), take.frames_per_second)
+        if take.masks is not None:
+            track.masks_alone(take.masks)
+        true = space.joints(truth.poses) + truth.root[:, None]
+        track.skeleton(
+            entities.TRUE_SKELETON, true, space.bones, space.joint_names, palette.TRUE, 0.013
+        )
+        track.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
+        for k in range(count):
+            entity = f"{entities.MODES}/{k + 1}"
+            colour = palette.hue(k, count)
+            track.series(f"{entity}/weight", weights[:, k], f"mode {k + 1}", colour)
+            heading = np.where(weights[:, k] >= _LEAST, space.heading(means[:, k]), np.nan)
+            track.series(f"{entity}/heading", heading, f"mode {k + 1}", colour, 1.0)
+            joints = space.joints(means[:, k]) + truth.root[:, None]
+            _translucent(track, f"{entity}/skeleton", joints, weights[:, k], space, colour)
+        for k, (method, errors) in enumerate(truth.errors.items()):
+            colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
+            track.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+
+
+def _translucent(
+    track: Track,
+    entity: str,
+    joints: Array,
+    weights: Array,
+    space: PoseSpace,
+    colour: palette.Colour,
+) -> None:
+    """Log a skeleton that fades into the background, and thins, with its weight."""
+    bones = np.asarray(space.bones)
+    drawn = np.flatnonzero(weights >= _LEAST)
+    lengths = [len(bones) if weight >= _LEAST else 0 for weight in weights]
+    seen = np.cbrt(weights[drawn])[:, None]  # half as probable is still to be seen
+    sides = [space.joint_names[child].split("_")[0] for _, child in bones]
+    shades = np.array([palette.shade(colour, side) for side in sides])
+    faded = seen[..., None] * shades + (1 - seen[..., None]) * np.array(palette.BACKGROUND)
+    track.columns(
+        entity,
+        rr.LineStrips3D.columns(
+            strips=joints[drawn][:, bones].reshape(-1, 2, 3).astype(np.float32),
+            colors=faded.reshape(-1, 3).astype(np.uint8),
+            radii=np.repeat(0.007 + 0.008 * weights[drawn], len(bones)),
+        ),
+        lengths,
+    )

@@ -1,0 +1,170 @@
+"""Local regressors with Gaussian gates, and the two steps of EM that fit them.
+
+Component k has the joint density π_k N(ψ; μ_k, S_k) N(x; b_k + (ψ - μ_k) A_k, Λ_k), S_k and Λ_k
+diagonal.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import logsumexp
+
+from silpose.regression.normal_equations import solve_damped
+
+Array = NDArray[np.float64]
+
+_IGNORED = 1e-6  # responsibility below which an example is left out of a component
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What a component is believed to be before it has seen examples.
+
+    Attributes
+    ----------
+    strength : float
+        How many examples the typical variances are worth.
+    spread, noise : ndarray, shapes (d,) and (D,)
+        Typical S_k and Λ_k.
+    damping : float
+        λ of λ ‖A_k‖² / Λ_k.
+    floor : float
+        Least standard deviation of an output.
+    """
+
+    strength: float
+    spread: Array
+    noise: Array
+    damping: float
+    floor: float
+
+
+@dataclass(frozen=True)
+class Experts:
+    """All components.
+
+    Attributes
+    ----------
+    log_shares : ndarray, shape (K,)
+        log π_k.
+    centres, spreads : ndarray, shape (K, d)
+        μ_k, and the diagonals of S_k.
+    slopes : ndarray, shape (K, d, D)
+        A_k.
+    offsets, noises : ndarray, shape (K, D)
+        b_k, and the diagonals of Λ_k.
+    """
+
+    log_shares: Array
+    centres: Array
+    spreads: Array
+    slopes: Array
+    offsets: Array
+    noises: Array
+
+    @classmethod
+    def fit(cls, inputs: Array, poses: Array, shares: Array, prior: Prior) -> Experts:
+        """Maximise, given how examples share in components ``(n, K)``: the M-step.
+
+        Each regressor is ridge regression with examples weighted by responsibility.
+        """
+        size = shares.sum(axis=0)
+        centres = (shares.T @ inputs) / size[:, None]
+        spreads, slopes, offsets, noises = [], [], [], []
+        for share, count, centre in zip(shares.T, size, centres, strict=True):
+            own = share > _IGNORED
+            weight, centred, pose = share[own, None], inputs[own] - centre, poses[own]
+            offset = (weight * pose).sum(axis=0) / weight.sum()
+            target = centred.T @ (weight * (pose - offset))
+            slope = solve_damped(centred.T @ (weight * centred), target, prior.damping)
+            misfit = (weight * (pose - offset - centred @ slope) ** 2).sum(axis=0)
+            misfit += prior.damping * (slope**2).sum(axis=0)
+            scatter = (weight * centred**2).sum(axis=0)
+            worth = count + prior.strength
+            spreads.append((scatter + prior.strength * prior.spread) / worth)
+            noise = (misfit + prior.strength * prior.noise) / worth
+            noises.append(np.maximum(noise, prior.floor**2))
+            slopes.append(slope)
+            offsets.append(offset)
+        return cls(np.log(size / size.sum()), centres, *map(np.array, (
+            spreads, slopes, offsets, noises)))  # fmt: skip
+
+    def log_gates(self, inputs: Array, temperature: float = 1.0) -> Array:
+        """Log π_k + log N(ψ; μ_k, S_k) / temperature, shape (n, K)."""
+        precision = 1 / self.spreads
+        squared = inputs**2 @ precision.T - 2 * inputs @ (self.centres * precision).T
+        squared += (self.centres**2 * precision + np.log(2 * np.pi * self.spreads)).sum(axis=1)
+        return self.log_shares - 0.5 * squared / temperature
+
+    def means(self, inputs: Array) -> Array:
+        """x̄_k = b_k + (ψ - μ_k) A_k, shape (n, K, D)."""
+        means = np.empty((len(inputs), *self.offsets.shape))
+        for k, slope in enumerate(self.slopes):
+            means[:, k] = self.offsets[k] + (inputs - self.centres[k]) @ slope
+        return means
+
+    def log_densities(self, inputs: Array, poses: Array) -> Array:
+        """Log N(x; x̄_k, Λ_k), shape (n, K)."""
+        densities = np.empty((len(inputs), len(self.offsets)))
+        for k, (slope, noise) in enumerate(zip(self.slopes, self.noises, strict=True)):
+            off = poses - self.offsets[k] - (inputs - self.centres[k]) @ slope
+            densities[:, k] = -0.5 * (off**2 @ (1 / noise) + np.log(2 * np.pi * noise).sum())
+        return densities
+
+    def responsibilities(self, inputs: Array, poses: Array, prior: Prior) -> tuple[Array, float]:
+        """Share of each component in each example (n, K), and what EM maximises: the E-step."""
+        joint = self.log_gates(inputs) + self.log_densities(inputs, poses)
+        total = logsumexp(joint, axis=1, keepdims=True)
+        return np.exp(joint - total), float(total.sum() - self._penalty(prior)) / len(inputs)
+
+    def _penalty(self, prior: Prior) -> float:
+        """Minus the log of the prior density, but for a constant."""
+        steep = (self.slopes**2).sum(axis=1) / self.noises
+        width = np.log(self.spreads) + prior.spread / self.spreads
+        noise = np.log(self.noises) + prior.noise / self.noises
+        spread = prior.strength * (width.sum() + noise.sum())
+        return 0.5 * float(prior.damping * steep.sum() + spread)
+
+
+def expectation_maximisation(
+    inputs: Array,
+    poses: Array,
+    labels: NDArray[np.intp],
+    prior: Prior,
+    starved: float,
+    max_iter: int,
+    tol: float,
+) -> tuple[Experts, list[float], list[int]]:
+    """Fit components that start as the clusters ``labels (n,)``.
+
+    Returns
+    -------
+    experts : Experts
+    objective : list of float
+        Penalised log-likelihood per example, before each round.
+    pruned : list of int
+        Rounds before which components of less than `starved` examples were taken out: only
+        there may the objective fall.
+    """
+    shares = np.eye(labels.max() + 1)[labels]
+    objective: list[float] = []
+    pruned: list[int] = []
+    experts = Experts.fit(inputs, poses, shares, prior)
+    for _ in range(max_iter):
+        shares, reached = experts.responsibilities(inputs, poses, prior)
+        settled = len(objective) > 0 and abs(reached - objective[-1]) < tol
+        objective.append(reached)
+        size = shares.sum(axis=0)
+        fed = size >= min(starved, size.max())
+        if settled and fed.all():
+            break
+        if not fed.all():
+            pruned.append(len(objective))
+            shares = shares[:, fed]
+            total = shares.sum(axis=1, keepdims=True)
+            shares = np.where(total > 0, shares / np.where(total > 0, total, 1), 1 / fed.sum())
+        experts = Experts.fit(inputs, poses, shares, prior)
+    return experts, objective, pruned

@@ -1,0 +1,312 @@
+"""Mixture of regressors: several poses for one silhouette, each with its probability (Eq. 11).
+
+The paper's text breaks off after that equation. What is done here in its spirit: a Gaussian gate
+on a reduced input, components that start where locality of the input and connectivity of the
+output say that one silhouette means several poses, and EM.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import logsumexp
+from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
+from sklearn.utils import Tags
+from sklearn.utils.validation import check_is_fitted, validate_data
+
+from silpose.errors import InputError
+from silpose.regression.experts import Prior, expectation_maximisation
+from silpose.regression.local_clusters import local_clusters
+from silpose.regression.modes import distinct_modes, sharpened
+from silpose.regression.reduction import PoseDirections
+
+Array = NDArray[np.float64]
+
+_BLOCK = 128  # inputs whose components are held at a time
+_MODES = 8  # among which weights are sharpened
+_STRENGTH = 5.0  # examples that the typical variances are worth
+_POSITIVE = (
+    "clusters", "dimensions", "damping", "temperature", "noise_width", "floor", "agreement",
+    "sharpness", "smallest", "max_iter",
+)  # fmt: skip
+ANSWERS = ("mode", "mean")
+
+
+class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
+    """p(x|z) = Σ_k π_k(z) N(A_k ψ(z) + b_k, Λ_k) (Eq. 11), Λ_k diagonal.
+
+    The gate π_k(z) is the share of π_k N(ψ; μ_k, S_k) among all components and one that is as
+    wide as all training examples, which takes over where nothing like z was seen. Its answer is
+    anything: the mean of all poses with their variance.
+
+    Parameters
+    ----------
+    clusters : int
+        Of inputs, before they are split by connectivity in pose space.
+    dimensions : int
+        Of the reduced input ψ.
+    damping : float
+        λ of each component's ridge regression, outputs being at unit variance.
+    temperature : float
+        By which the gates' log densities are divided when they answer. Unseen silhouettes lie
+        further out than those that trained, and what is unusual in one column of ψ is in others.
+    noise_width : float
+        Factor of Λ_k when they answer: likewise poses.
+    doubt : float
+        Probability, before anything is seen, that none of the components is right.
+    floor : float
+        Least standard deviation of an output, in its own standard deviations.
+    agreement : float
+        Components whose means differ by less are one mode: mean over outputs of the squared
+        difference, in units of the sum of their training variances.
+    sharpness : float
+        Exponent of modes' weights, which calibrates them: components that just fail to agree
+        take weight from each other, and many weak ones from a strong one.
+    answer : {"mode", "mean"}
+        What `predict` gives: the most probable mode, or the mean of the mixture.
+    smallest : int
+        Examples that a component wants, at least.
+    units : array-like, shape (D,), or None
+        What one unit of error is in each output. For the initial clusters outputs compare on a
+        scale halfway between their units and their standard deviations; without, on the latter.
+    hellinger : bool
+        Whether to take square roots of the inputs first.
+    max_iter, tol : int, float
+        Of EM; it stops once a round adds less than `tol` per example.
+    random_state : int or None
+
+    Attributes
+    ----------
+    experts_ : Experts
+    objective_ : list of float
+        What EM maximises, penalised log-likelihood per example, before each round.
+    n_iter_ : int
+        Rounds of EM.
+    pruned_ : list of int
+        Rounds before which starved components were taken out; only there may it fall.
+    """
+
+    def __init__(
+        self,
+        clusters: int = 60,
+        dimensions: int = 90,
+        damping: float = 30.0,
+        temperature: float = 8.0,
+        noise_width: float = 1.0,
+        doubt: float = 0.01,
+        floor: float = 0.1,
+        agreement: float = 1.0,
+        sharpness: float = 1.0,
+        answer: str = "mode",
+        smallest: int = 5,
+        units: ArrayLike | None = None,
+        hellinger: bool = False,
+        max_iter: int = 10,
+        tol: float = 1e-2,
+        random_state: int | None = 0,
+    ) -> None:
+        self.clusters = clusters
+        self.dimensions = dimensions
+        self.damping = damping
+        self.temperature = temperature
+        self.noise_width = noise_width
+        self.doubt = doubt
+        self.floor = floor
+        self.agreement = agreement
+        self.sharpness = sharpness
+        self.answer = answer
+        self.smallest = smallest
+        self.units = units
+        self.hellinger = hellinger
+        self.max_iter = max_iter
+        self.tol = tol
+        self.random_state = random_state
+
+    def fit(self, X: ArrayLike, y: ArrayLike) -> MixtureOfRegressors:
+        """Fit by EM.
+
+        Parameters
+        ----------
+        X : array-like, shape (n, d)
+            Inputs: descriptors z.
+        y : array-like, shape (n, D) or (n,)
+            Outputs: poses x.
+        """
+        inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
+        self._check(inputs)
+        self._single = outputs.ndim == 1
+        outputs = outputs.reshape(len(outputs), -1).astype(float)
+        self.mean_, deviation = outputs.mean(axis=0), outputs.std(axis=0)
+        self.varies_ = deviation > 1e-10 * np.maximum(np.abs(self.mean_), 1)
+        self.scale_ = np.where(self.varies_, deviation, 1.0)
+        poses = (outputs - self.mean_) / self.scale_
+        reduction = PoseDirections(
+            self.dimensions, hellinger=self.hellinger, random_state=self.random_state
+        )
+        compared = poses
+        if self.units is not None:  # the geometric mean of both
+            compared = poses * np.sqrt(self.scale_ / np.asarray(self.units, dtype=float))
+        self.reduction_ = reduction.fit(inputs, compared)
+        psi = self.reduction_.transform(inputs)
+        labels = local_clusters(psi, compared, self.clusters, self.smallest, self.random_state)
+        self.experts_, self.objective_, self.pruned_ = expectation_maximisation(
+            psi, poses, labels, self._prior(psi, poses, labels), 0.5 * self.smallest,
+            self.max_iter, self.tol,
+        )  # fmt: skip
+        self.n_iter_ = len(self.objective_)
+        self._anywhere(psi)
+        return self
+
+    def __sklearn_tags__(self) -> Tags:
+        tags = super().__sklearn_tags__()
+        tags.regressor_tags.poor_score = True  # `score` is a log-likelihood, and no R²
+        return tags
+
+    def _check(self, inputs: Array) -> None:
+        for name in _POSITIVE:
+            if not getattr(self, name) > 0:
+                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
+        if self.clusters > len(inputs):
+            raise InputError(
+                f"{self.clusters} clusters want as many examples, and n_samples = {len(inputs)}: "
+                "give more, or fewer clusters"
+            )
+        if not 0 <= self.doubt < 1:
+            raise InputError(f"doubt is a probability below 1, not {self.doubt}")
+        if self.answer not in ANSWERS:
+            raise InputError(f"there is no answer '{self.answer}'; there are {', '.join(ANSWERS)}")
+        if self.hellinger and inputs.min() < 0:
+            raise InputError("square roots need histograms: negative inputs want hellinger=False")
+
+    def _prior(self, psi: Array, poses: Array, labels: NDArray[np.intp]) -> Prior:
+        """Typical variances: those within the clusters that EM starts from."""
+        size = np.bincount(labels)[:, None]
+        spread, noise = np.zeros(psi.shape[1]), np.zeros(poses.shape[1])
+        for values, variance in ((psi, spread), (poses, noise)):
+            sums = np.zeros((len(size), values.shape[1]))
+            np.add.at(sums, labels, values)
+            variance += ((values - (sums / size)[labels]) ** 2).mean(axis=0)
+        spread = np.maximum(spread, 1e-3 * np.maximum(psi.var(axis=0), 1e-9))
+        noise = np.maximum(noise, self.floor**2)
+        return Prior(_STRENGTH, spread, noise, self.damping, self.floor)
+
+    def _anywhere(self, psi: Array) -> None:
+        """Learn the gate of the component that stands for none of the others."""
+        widest = self.experts_.spreads.max(axis=0)
+        self.anywhere_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
+
+    @property
+    def components_(self) -> int:
+        """Number of components, K."""
+        return len(self.experts_.offsets)
+
+    def predict(self, X: ArrayLike) -> Array:
+        """Estimate outputs, shape (n, D): the most probable mode, or the mean of the mixture."""
+        check_is_fitted(self)
+        if self.answer == "mode":
+            estimated = self.predict_modes(X, 1)[1][:, 0]
+        else:
+            blocks = self._blocks(self._inputs(X))
+            means = [np.einsum("nk,nkd->nd", np.exp(w), m) for w, m in blocks]
+            estimated = np.concatenate(means) * self.scale_ + self.mean_
+        return estimated[:, 0] if self._single else estimated
+
+    def predict_modes(self, z: ArrayLike, k: int) -> tuple[Array, Array, Array]:
+        """Give the k most probable modes, best first.
+
+        Components that agree are one mode, at their weighted mean.
+
+        Parameters
+        ----------
+        z : array-like, shape (n, d)
+        k : int
+
+        Returns
+        -------
+        weights : ndarray, shape (n, k)
+            Probabilities. What is missing to 1 are further modes, and that none is right. Where
+            there are less than k modes the rest has weight 0 and repeats the first.
+        means, variances : ndarray, shape (n, k, D)
+        """
+        if k < 1:
+            raise InputError(f"at least one mode is to be asked for, not {k}")
+        several = max(k, _MODES)
+        answer = self.experts_.noises, self.noise_width, several, self.agreement
+        found = [
+            (1 - np.exp(w[:, -1:]), *distinct_modes(_shares(w), m[:, :-1], *answer))
+            for w, m in self._blocks(self._inputs(z))
+        ]
+        some, weights, means, variances = map(np.concatenate, zip(*found, strict=True))
+        means, variances = means[:, :k], variances[:, :k]
+        weights = some * sharpened(weights, self.sharpness)[:, :k]
+        return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
+
+    def sample(self, z: ArrayLike, count: int = 1, seed: int | None = None) -> Array:
+        """Draw outputs from p(x|z), shape (n, count, D)."""
+        random = np.random.default_rng(seed)
+        drawn = []
+        for log_weights, means in self._blocks(self._inputs(z)):
+            order = np.cumsum(np.exp(log_weights), axis=1)[:, None]
+            which = (random.random((len(means), count, 1)) * order[..., -1:] > order).sum(axis=-1)
+            noises = self._noises()[which]
+            centre = np.take_along_axis(means, which[..., None], axis=1)
+            drawn.append(centre + np.sqrt(noises) * random.standard_normal(centre.shape))
+        return np.concatenate(drawn) * self.scale_ + self.mean_
+
+    def log_likelihoods(self, z: ArrayLike, x: ArrayLike) -> Array:
+        """Log p(x|z) of each example, shape (n,).
+
+        Outputs are on the scale of their standard deviations in training, and those that are
+        constant there are left out.
+        """
+        x = np.asarray(x, dtype=float)
+        poses = (x.reshape(len(x), -1) - self.mean_) / self.scale_
+        varies, noises = self.varies_, self._noises()[:, self.varies_]
+        constant = np.log(2 * np.pi * noises).sum(axis=1)
+        found, start = [], 0
+        for log_weights, means in self._blocks(self._inputs(z)):
+            true = poses[start : start + len(means), None, varies]
+            off = ((true - means[..., varies]) ** 2 / noises).sum(axis=-1)
+            found.append(logsumexp(log_weights - 0.5 * (off + constant), axis=1))
+            start += len(means)
+        return np.concatenate(found)
+
+    def _log_weights(self, psi: Array) -> Array:
+        gates = self.experts_.log_gates(psi, self.temperature)
+        mean, variance = self.anywhere_
+        off = ((psi - mean) ** 2 / variance + np.log(2 * np.pi * variance)).sum(axis=1)
+        with np.errstate(divide="ignore"):
+            anywhere = np.log(self.doubt) - 0.5 * off / self.temperature
+        gates = np.column_stack([np.log1p(-self.doubt) + gates, anywhere])
+        return gates - logsumexp(gates, axis=1, keepdims=True)
+
+    def _noises(self) -> Array:
+        """Variances that answers have, of K components and of none: shape (K + 1, D)."""
+        own = np.maximum(self.noise_width * self.experts_.noises, self.floor**2)
+        return np.vstack([own, np.ones(own.shape[1])])
+
+    def _blocks(self, inputs: Array) -> Iterator[tuple[Array, Array]]:
+        """Log weights and means of K components and of none, for a few inputs at a time."""
+        psi = self.reduction_.transform(inputs)
+        for start in range(0, len(psi), _BLOCK):
+            some = psi[start : start + _BLOCK]
+            means = self.experts_.means(some)
+            anything = np.zeros_like(means[:, :1])  # the mean of all poses
+            yield self._log_weights(some), np.concatenate([means, anything], axis=1)
+
+    def _inputs(self, z: ArrayLike) -> Array:
+        check_is_fitted(self)
+        return validate_data(self, z, dtype=float, reset=False)
+
+    def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
+        """Log-likelihood per example, of outputs at unit variance."""
+        weights = None if sample_weight is None else np.asarray(sample_weight, dtype=float)
+        return float(np.average(self.log_likelihoods(X, y), weights=weights))
+
+
+def _shares(log_weights: Array) -> Array:
+    """Weights of the components (n, K) if one of them is right: rows sum to 1."""
+    own = log_weights[:, :-1]
+    return np.exp(own - logsumexp(own, axis=1, keepdims=True))

@@ -1,0 +1,79 @@
+"""The experiments of section VI: several answers to one silhouette."""
+
+import numpy as np
+import pytest
+
+from silpose.experiments.ambiguity import kinds_of
+from silpose.experiments.mixture import reliability_of
+from silpose.pose import ANGLES
+from silpose.skeleton import ANGLES as NAMES
+
+FAST = (
+    "regression.basis.width=2",
+    "regression.ridge.damping=0.1",
+    "regression.mixture.clusters=[10,20]",
+    "regression.mixture.temperature=8",
+    "regression.mixture.noise_width=2",
+    "regression.mixture.sharpness=[1,2]",
+)
+
+
+def test_the_best_of_more_modes_is_better(study):
+    metrics, rows = study("mixture", *FAST, "gmr=[1,2]", "motion.test_seconds=6")
+    error = {method: values["mean_angular_error_deg"] for method, values in metrics.items()}
+    for method in ("mixture", "neighbours", "gmr"):
+        assert error[f"{method}_best8"] <= error[f"{method}_best2"] <= error[f"{method}_top1"]
+    assert error["mixture_best4"] < error["mean_pose"]
+    for method in ("ridge", "mixture_top1", "gmr_top1"):
+        assert np.isfinite(metrics[method]["log_likelihood"])
+    assert len([row for row in rows if row["validation_log_likelihood"]]) == 2
+
+
+def test_ambiguous_silhouettes_are_counted(study):
+    metrics, _ = study("ambiguity", *FAST)
+    assert set(metrics) == {"turned", "legs_swapped", "two_modes"}
+    two = metrics["two_modes"]
+    assert two["turned"] + two["legs_swapped"] + two["other"] == pytest.approx(1)
+    assert two["error_of_better"] <= two["error_of_first"]
+
+
+def test_on_the_authors_data_the_mixture_reaches_what_is_claimed(study, shared_mocap):
+    data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
+    chosen = (
+        "regression.mixture.clusters=60",
+        "regression.mixture.temperature=16",
+        "regression.mixture.noise_width=4",
+        "regression.mixture.sharpness=0.7",
+        "gmr=[1]",
+    )
+    metrics, _ = study("mixture", "dataset=agarwal", f"dataset.path={data}", *FAST, *chosen)
+    error = {method: values["mean_joint_distance"] for method, values in metrics.items()}
+    assert error["mixture_top1"] <= error["ridge"]
+    assert error["mixture_best4"] < min(1.75, error["neighbours_best4"])
+    said = {m: v["log_likelihood"] for m, v in metrics.items() if "log_likelihood" in v}
+    assert max(said, key=said.get) == "mixture_top1"
+    assert metrics["mixture_top1"]["calibration_error"] < 0.1
+
+
+def walker(heading, left, right):
+    angles = np.zeros((1, 54))
+    angles[:, 0] = heading
+    angles[:, NAMES.index("left_hip_x")], angles[:, NAMES.index("right_hip_x")] = left, right
+    return ANGLES.from_angles(angles)
+
+
+def test_explanations_are_told_apart():
+    pose = walker(90, 25, -25)
+    assert kinds_of(ANGLES, pose, walker(-90, 25, -25)) == ["turned"]
+    assert kinds_of(ANGLES, pose, walker(80, -25, 25)) == ["legs swapped"]
+    assert kinds_of(ANGLES, pose, walker(80, 15, -15)) == ["other"]
+
+
+def test_reliability_counts_how_often_a_mode_is_nearest():
+    poses = np.concatenate([walker(0, 20, -20), walker(0, -20, 20)])
+    means = np.tile(poses, (100, 1, 1))
+    weights = np.tile([0.7, 0.3], (100, 1))
+    x = np.concatenate([np.repeat(poses[:1], 80, axis=0), np.repeat(poses[1:], 20, axis=0)])
+    rows = reliability_of(ANGLES, weights, means, x)
+    assert [row["weight"] for row in rows] == pytest.approx([0.3, 0.7])
+    assert [row["nearest"] for row in rows] == pytest.approx([0.2, 0.8])
