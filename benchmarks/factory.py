@@ -20,12 +20,9 @@ if __name__ == "__main__":
     ready = described(rooms, data)
     took = perf_counter() - started
     made = sum(len(z) for z, _ in ready.train)
-    own, children = (
-        resource.getrusage(who).ru_maxrss / 1024  # KiB on Linux
-        for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
-    )
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024  # KiB on Linux
     report(
         "training frames from motion to descriptor and pose",
-        ["frames", "seconds", "frames a second", "peak MiB, this process", "a worker"],
-        [[f"{made:,}", f"{took:.0f}", f"{made / took:,.0f}", f"{own:,.0f}", f"{children:,.0f}"]],
+        ["frames", "seconds", "frames a second", "peak MiB of the process that collects"],
+        [[f"{made:,}", f"{took:.0f}", f"{made / took:,.0f}", f"{peak:,.0f}"]],
     )

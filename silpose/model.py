@@ -49,8 +49,11 @@ class Poses:
 
     @property
     def joints(self) -> Array:
-        """Joint positions, metres, root at the origin, shape (F, J, 3)."""
-        return self.space.joints(self.x)
+        """Joint positions, metres, root at the origin, shape (F, J, 3); NaN without an answer."""
+        known = np.isfinite(self.x).all(axis=1)
+        joints = np.full((len(self), len(self.space.joint_names), 3), np.nan)
+        joints[known] = self.space.joints(self.x[known])
+        return joints
 
     @property
     def heading(self) -> Array:

@@ -49,8 +49,9 @@ def test_array_list_and_folder_agree(model, mask_folder, sequence):
 
 
 def test_a_blank_mask_is_a_row_of_nan_or_an_error_that_names_it(model, mask_folder, sequence):
-    x = model.predict(mask_folder, blank="nan").x
-    np.testing.assert_array_equal(np.isnan(x).all(axis=1), np.arange(12) == 5)
+    poses = model.predict(mask_folder, blank="nan")
+    for rows in (poses.x, poses.joints.reshape(12, -1)):
+        np.testing.assert_array_equal(np.isnan(rows).all(axis=1), np.arange(12) == 5)
     with pytest.raises(InputError, match=r"5\.png' has no foreground"):
         model.predict(mask_folder)
     with pytest.raises(InputError, match="mask 1 has no foreground"):

@@ -90,9 +90,7 @@ def _write_csv(
         *(f"{column}_deg" for column in estimated.space.columns[2:]),
         *joints,
     ]
-    known = np.isfinite(estimated.x).all(axis=1)
-    positions = np.full((len(estimated), len(joints)), np.nan)
-    positions[known] = Poses(estimated.x[known], estimated.space).joints.reshape(known.sum(), -1)
+    positions = estimated.joints.reshape(len(estimated), -1)
     numbers = np.column_stack(
         [estimated.heading, estimated.heading_norm, estimated.x[:, 2:], positions]
     )
