@@ -78,8 +78,7 @@ def record_context_space(
             ink = rr.Points2D(_SCALE * points, colors=colour, radii=rr.Radius.ui_points(radius))
             recording.log(entity, ink, static=True)
         track = Track(recording, len(masks), frames_per_second)
-        track.image_plane(masks.shape[2], masks.shape[1])
-        track.masks(list(masks))
+        track.masks_alone(masks)
         edge_points = [description.points for description in descriptions]
         track.coloured_points(entities.EDGE_POINTS, edge_points, colours, nearest, 2.5)
         plane = [_SCALE * points for points in space.points]
