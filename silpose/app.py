@@ -29,6 +29,7 @@ def main() -> None:
             return
         folder = str(config_folder())
         hydra.main(version_base="1.3", config_path=folder, config_name="config")(_job)()
+        _go_on_showing()
     except Exception as error:
         if "debug=true" in sys.argv:
             raise
@@ -48,6 +49,15 @@ def _job(settings: DictConfig) -> None:
         if settings.debug or _in_sweep():
             raise
         raise SystemExit(_sentence(error)) from None
+
+
+def _go_on_showing() -> None:
+    """Serve what a run shows in the browser until Ctrl-C."""
+    from silpose.recording.program import serving, wait
+
+    for page in serving():
+        print(f"Watch it:  {page}   (until Ctrl-C)", flush=True)
+    wait()
 
 
 def _in_sweep() -> bool:

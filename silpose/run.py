@@ -7,14 +7,22 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from silpose.errors import InputError
+from silpose.files import partial, writing
+from silpose.recording.sinks import Sinks
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from silpose.model import PoseModel
+    from silpose.recording import Header, Tracks
 
 
 @dataclass
@@ -28,6 +36,8 @@ class Run:
     folder : Path
     settings : str
         As YAML.
+    sinks : Sinks
+        Where its recording goes.
     seconds : dict
         How long each stage took.
     """
@@ -36,11 +46,22 @@ class Run:
     name: str
     folder: Path
     settings: str
+    sinks: Sinks = field(default_factory=Sinks)
     seconds: dict[str, float] = field(default_factory=dict)
 
     @classmethod
-    def start(cls, root: str, experiment: str, name: str | None = None, settings: str = "") -> Run:
+    def start(
+        cls,
+        root: str,
+        experiment: str,
+        name: str | None = None,
+        settings: str = "",
+        sinks: Sequence[str] = ("file",),
+        viewer_port: int = Sinks.viewer_port,
+        web_port: int = Sinks.web_port,
+    ) -> Run:
         """Make the run's folder below a root; without a name it gets the next free number."""
+        opened = Sinks(sinks, viewer_port, web_port)
         if name is not None and Path(name).name != name:
             raise InputError(f"recording.name is the name of one folder, not '{name}'")
         parent = Path(root) / experiment
@@ -54,7 +75,7 @@ class Run:
                     folder.mkdir(exist_ok=name is not None)
                     (folder / ".partial").touch()
                     (folder / ".partial").unlink()
-                    return cls(experiment, folder.name, folder, settings)
+                    return cls(experiment, folder.name, folder, settings, opened)
                 except FileExistsError:
                     number += 1
         except OSError as error:
@@ -64,8 +85,6 @@ class Run:
 
     def abandon(self) -> None:
         """Remove the folder if nothing was finished in it."""
-        for partial in self.folder.glob(".*.partial"):
-            partial.unlink()
         for folder in (self.folder, self.folder.parent):
             if not any(folder.iterdir()):
                 folder.rmdir()
@@ -80,9 +99,15 @@ class Run:
     @contextmanager
     def writing(self, file: str) -> Iterator[Path]:
         """Give a path to write to; the file gets its name only once it is whole."""
-        partial = self.folder / f".{file}.partial"
-        yield partial
-        partial.replace(self.folder / file)
+        with writing(self.folder / file) as path:
+            yield path
+
+    def header(self, words: str, results: Mapping[str, Mapping[str, float]]) -> Header:
+        """Head the run's recording: what was seen, in words, and the values of every method."""
+        from silpose.recording import Header
+
+        file = self.folder / "run.rrd"
+        return Header(self.experiment, self.name, file, words, self.settings, results, self.sinks)
 
     def write_settings(self) -> None:
         """Write ``config.yaml``."""
@@ -147,25 +172,71 @@ class FinishedRun:
 
     @property
     def recording(self) -> Path:
-        """The file that the Rerun viewer opens."""
+        """The file that the Rerun viewer opens; there is none with ``recording=none``."""
         return self.folder / "run.rrd"
+
+    @property
+    def poses(self) -> dict[str, NDArray[Any]]:
+        """Pose vectors (F, D) of the sequence that was recorded, by method, and ``true``."""
+        return self._tracks.poses
+
+    @property
+    def tracks(self) -> Any:
+        """The same as a pandas table, a row per method and frame.
+
+        Columns are ``time`` (seconds), those of a pose vector by name, and ``error``.
+        """
+        pandas = _pandas()
+        tracks, shown = self._tracks, self.shown
+        tables = {}
+        for method, x in tracks.poses.items():
+            table = pandas.DataFrame(x, columns=list(tracks.columns))
+            table.insert(0, "time", tracks.time[: len(x)])
+            nothing = np.full(len(x), np.nan)
+            error = tracks.errors.get(shown if method == "estimated" else method, nothing)
+            tables[method] = table.assign(error=0.0 if method == "true" else error)
+        if not tables:
+            raise InputError(f"the recording of '{self.folder}' holds no poses")
+        return pandas.concat(tables, names=["method", "frame"])
+
+    @property
+    def shown(self) -> str:
+        """The method whose estimates are drawn: what the settings show, else the last."""
+        for line in self.config.splitlines():
+            if line.startswith("show: "):
+                return line.removeprefix("show: ")
+        return list(self.metrics)[-1] if self.metrics else ""
+
+    @cached_property
+    def _tracks(self) -> Tracks:
+        from silpose.recording import read_tracks
+
+        return read_tracks(self.recording)
 
 
 def load_run(folder: str | Path) -> FinishedRun:
     """Read a finished run back from its folder."""
     folder = Path(folder)
     if not (folder / "metrics.json").is_file():
-        raise InputError(f"'{folder}' holds no finished run: it has no metrics.json")
-    content: dict[str, Any] = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))
-    config = (folder / "config.yaml").read_text(encoding="utf-8")
-    return FinishedRun(
-        folder,
-        content["experiment"],
-        content["dataset"],
-        content["metrics"],
-        content["seconds"],
-        config,
-    )
+        hint = ""
+        if partial(folder / "run.rrd").exists():
+            hint = f"; it was cut off: 'silpose repair {folder}' salvages what was recorded"
+        raise InputError(f"'{folder}' holds no finished run: it has no metrics.json{hint}")
+    try:
+        content: dict[str, Any] = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))
+        config = (folder / "config.yaml").read_text(encoding="utf-8")
+        return FinishedRun(
+            folder,
+            content["experiment"],
+            content["dataset"],
+            content["metrics"],
+            content["seconds"],
+            config,
+        )
+    except OSError as error:
+        raise InputError(f"'{folder}' holds half a run: there is no '{error.filename}'") from error
+    except (ValueError, KeyError) as error:
+        raise InputError(f"'{folder / 'metrics.json'}' is no file of a run") from error
 
 
 def runs_table(root: str | Path = "recordings") -> Any:
@@ -182,10 +253,7 @@ def runs_table(root: str | Path = "recordings") -> Any:
         ``seconds`` and each headline value as ``method.name``. A run that was cut off has its
         names only.
     """
-    try:
-        import pandas
-    except ModuleNotFoundError as error:
-        raise InputError("tables need pandas: pip install 'silpose[notebook]'") from error
+    pandas = _pandas()
     if not Path(root).is_dir():
         raise InputError(f"there is no folder '{root}': give the one that holds the runs")
     rows = [_row(folder) for folder in sorted(Path(root).glob("*/*")) if folder.is_dir()]
@@ -193,12 +261,20 @@ def runs_table(root: str | Path = "recordings") -> Any:
     return pandas.DataFrame(rows, columns=columns).set_index(["experiment", "run"])
 
 
+def _pandas() -> Any:
+    try:
+        import pandas
+    except ModuleNotFoundError as error:
+        raise InputError("tables need pandas: pip install 'silpose[notebook]'") from error
+    return pandas
+
+
 def _row(folder: Path) -> dict[str, Any]:
     row: dict[str, Any] = {"experiment": folder.parent.name, "run": folder.name, "complete": False}
-    metrics = folder / "metrics.json"
-    if not metrics.is_file():
+    try:
+        content = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError):
         return row
-    content = json.loads(metrics.read_text(encoding="utf-8"))
     row |= {"complete": True, "dataset": content["dataset"], "seed": content["seed"]}
     row["seconds"] = sum(content["seconds"].values())
     return row | {

@@ -21,7 +21,8 @@ def summarise(run: FinishedRun) -> None:
         console.print(results(run))
     took = ", ".join(f"{stage} {s:.1f} s" for stage, s in run.seconds.items())
     console.print(f"[dim]{took}[/dim]", soft_wrap=True)
-    console.print(f"Open it:  {rerun_command()} {near(run.recording)}", soft_wrap=True)
+    if run.recording.is_file():
+        console.print(f"Open it:  {rerun_command()} {near(run.recording)}", soft_wrap=True)
     beside = sorted(f.name for f in run.folder.iterdir() if f != run.recording)
     console.print(f"[dim]beside it: {', '.join(beside)}[/dim]", soft_wrap=True)
 

@@ -1,4 +1,4 @@
-"""Commands for what runs leave behind: ``silpose compare``, ``picture``, ``film``, ``repair``."""
+"""Commands for what runs leave behind: ``silpose compare``, ``picture`` and more."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-TOOLS = ("compare", "picture", "film", "repair")
+TOOLS = ("compare", "picture", "film", "serve", "repair")
 
 
 def run_tool(arguments: Sequence[str]) -> None:
@@ -36,6 +36,12 @@ def _film(given: argparse.Namespace) -> None:
     frames = range(given.first, given.last + 1, given.every)
     rate = given.rate / given.every
     film(_recording(given.run), frames, given.output, given.view, given.width, rate)
+
+
+def _serve(given: argparse.Namespace) -> None:
+    from silpose.recording import serve
+
+    serve(given.folder, given.port)
 
 
 def _repair(given: argparse.Namespace) -> None:
@@ -73,6 +79,11 @@ def _parser() -> argparse.ArgumentParser:
     tool.add_argument("--rate", type=float, default=15, help="of the recording, frames a second")
     tool.add_argument("-o", "--output", type=Path, default=Path("film.gif"))
     tool.set_defaults(call=_film)
+
+    tool = tools.add_parser("serve", help="a folder of runs in the browser, on this machine only")
+    tool.add_argument("folder", nargs="?", type=Path, default=Path("recordings"), metavar="FOLDER")
+    tool.add_argument("--port", type=int, default=9090)
+    tool.set_defaults(call=_serve)
 
     tool = tools.add_parser("repair", help="salvage a recording that was cut off")
     tool.add_argument("run", type=Path, metavar="RUN", help="a run's folder, or a recording")

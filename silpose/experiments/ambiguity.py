@@ -18,7 +18,7 @@ from silpose.experiments.mixture_peers import neighbour_modes
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare, tidy
 from silpose.pose import PoseSpace
-from silpose.recording import Truth, record_modes, texts
+from silpose.recording import Truth, record_modes
 from silpose.regression import among_themselves, choose_mixture
 from silpose.run import Run
 
@@ -68,16 +68,14 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
         _figure(path, space, shares, means, rivals, kinds)
     take, frames = described.data.test[0], slice(len(described.data.test[0]))
     errors = {f"mode_{k + 1}": space.distance(take.x, means[frames, k]) for k in range(2)}
-    with run.stage("recording"), run.writing("run.rrd") as path:
+    with run.stage("recording"):
         record_modes(
-            path,
-            f"{run.experiment}/{run.name}",
+            run.header(f"test sequence {take.name} by {take.performer}", metrics),
             take,
             Truth.of(take, rooms.camera, errors, space),
             weights[frames, :4],
             means[frames, :4],
             space,
-            texts(f"test sequence {take.name} by {take.performer}", run.settings, metrics),
         )
     run.write_settings()
     run.write_results([*rows, *_rows(shares, rivals, kinds), *tidy(metrics)])

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare
-from silpose.recording import record_bridges, texts
+from silpose.recording import record_bridges
 from silpose.regression import follow_bridges
 from silpose.run import Run
 
@@ -45,15 +45,12 @@ def bridges(rooms: Rooms, run: Run, nu: float, width: float) -> None:
     }
     with run.writing("bridges.png") as path:
         _figure(path, nu, steps.objective, kept, steps.norms)
-    with run.writing("run.rrd") as path:
-        record_bridges(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "bridges.png",
-            steps.norms,
-            steps.objective,
-            texts("sparsity, iteration by iteration", run.settings, metrics),
-        )
+    record_bridges(
+        run.header("sparsity, iteration by iteration", metrics),
+        run.folder / "bridges.png",
+        steps.norms,
+        steps.objective,
+    )
     run.write_settings()
     run.write_results(
         [

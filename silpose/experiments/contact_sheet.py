@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from silpose.dataset import Shot, photograph
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.run import Run
 from silpose.silhouette import BODIES, DEGRADATIONS, LEVELS, Body, Camera, degrade
 
@@ -56,10 +56,8 @@ def contact_sheet(
             names.append(f"degraded by {strength:g}")
     with run.writing("contact_sheet.png") as path:
         _figure(path, sheet, names, [_camera_text(shot.camera) for shot in columns])
-    with run.writing("run.rrd") as path:
-        name = f"{run.experiment}/{run.name}"
-        words = texts(f"{len(rows)} bodies, {len(columns)} cameras", run.settings, {})
-        record_study(path, name, run.folder / "contact_sheet.png", {}, "", 15.0, words)
+    header = run.header(f"{len(rows)} bodies, {len(columns)} cameras", {})
+    record_study(header, run.folder / "contact_sheet.png", {}, "", 15.0)
     run.write_settings()
     run.write_metrics(studio.name, rooms.seed, {})
 

@@ -16,7 +16,7 @@ from silpose.evaluation import measure
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.trackers import learn_to_track
 from silpose.experiments.training import tidy
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -51,16 +51,13 @@ def damping(rooms: Rooms, run: Run, values: Sequence[float]) -> None:
             series[name] = space.distance(described.test[0][1], tracks[0])
     with run.writing("damping.png") as path:
         _figure(path, sorted(values), metrics, space.metrics[0])
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "damping.png",
-            series,
-            f"{space.metrics[0].replace('_', ' ')} on the first test sequence",
-            described.data.test[0].frames_per_second,
-            texts("C = sI, and the full matrix C", run.settings, metrics),
-        )
+    record_study(
+        run.header("C = sI, and the full matrix C", metrics),
+        run.folder / "damping.png",
+        series,
+        f"{space.metrics[0].replace('_', ' ')} on the first test sequence",
+        described.data.test[0].frames_per_second,
+    )
     run.write_settings()
     run.write_results([*learnt.selection.rows, *tidy(metrics)])
     run.write_metrics(described.data.name, rooms.seed, metrics)

@@ -22,7 +22,7 @@ from silpose.experiments.descriptors import examples, learn_descriptor
 from silpose.experiments.rooms import Rooms, masks_of
 from silpose.experiments.training import Described
 from silpose.progress import bar
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -86,16 +86,13 @@ def descriptor_choices(
         _figure(path, rows, choices, usual, space.metrics[0].replace("_", " "))
     best = min(metrics, key=lambda name: metrics[name].get("validation_error", np.inf))
     shown = {"usual": series["usual"], best: series[best]}
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "descriptor_choices.png",
-            shown,
-            f"{space.metrics[0].replace('_', ' ')}: the usual choices, and the best on validation",
-            data.test[0].frames_per_second,
-            texts("one choice at a time, kernel ridge regression", run.settings, metrics),
-        )
+    record_study(
+        run.header("one choice at a time, kernel ridge regression", metrics),
+        run.folder / "descriptor_choices.png",
+        shown,
+        f"{space.metrics[0].replace('_', ' ')}: the usual choices, and the best on validation",
+        data.test[0].frames_per_second,
+    )
     run.write_settings()
     run.write_results(rows)
     run.write_metrics(data.name, rooms.seed, metrics)

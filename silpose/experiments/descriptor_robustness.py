@@ -22,7 +22,7 @@ from silpose.experiments.descriptors import Descriptor, examples
 from silpose.experiments.robustness_figure import TAUGHT, Masks, Rows, robustness_figure
 from silpose.experiments.rooms import Rooms, masks_of
 from silpose.experiments.training import Described, compare
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.regression import Candidates, Regressor
 from silpose.run import Run
 from silpose.silhouette import Degradation, contour_damage, degrade
@@ -188,14 +188,11 @@ def _record(
         if not name.endswith(TAUGHT)
     }
     told = ", ".join(f"{kind} from frame {k * length}" for k, kind in enumerate(kinds))
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "descriptor_robustness.png",
-            series,
-            f"{unit}, taught by whole silhouettes, each damage rising from nothing",
-            take.frames_per_second,
-            texts(f"test sequence {take.name}: {told}", run.settings, metrics),
-            masks,
-        )
+    record_study(
+        run.header(f"test sequence {take.name}: {told}", metrics),
+        run.folder / "descriptor_robustness.png",
+        series,
+        f"{unit}, taught by whole silhouettes, each damage rising from nothing",
+        take.frames_per_second,
+        masks,
+    )

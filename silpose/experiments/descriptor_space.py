@@ -15,7 +15,7 @@ from silpose.descriptor import Description
 from silpose.errors import InputError
 from silpose.experiments.descriptors import learn_descriptor
 from silpose.experiments.rooms import Rooms, masks_of
-from silpose.recording import ContextSpace, codebook_picture, record_context_space, texts
+from silpose.recording import ContextSpace, codebook_picture, record_context_space
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -65,18 +65,15 @@ def descriptor_space(rooms: Rooms, run: Run, contexts: int) -> None:
     frame = len(take) // 3
     with run.writing("descriptor_space.png") as path:
         _figure(path, space, seen[frame], space.points[frame], masks[frame], picture)
-    with run.writing("run.rrd") as path:
-        record_context_space(
-            path,
-            f"{run.experiment}/{run.name}",
-            masks,
-            seen,
-            space,
-            descriptor.codebook_,
-            descriptor.angular_bins,
-            take.frames_per_second,
-            texts(f"test sequence {take.name} by {take.performer}", run.settings, metrics),
-        )
+    record_context_space(
+        run.header(f"test sequence {take.name} by {take.performer}", metrics),
+        masks,
+        seen,
+        space,
+        descriptor.codebook_,
+        descriptor.angular_bins,
+        take.frames_per_second,
+    )
     run.write_settings()
     run.write_results(
         [

@@ -18,7 +18,7 @@ from silpose.experiments.rooms import Rooms
 from silpose.experiments.trackers import learn_to_track
 from silpose.experiments.training import tidy
 from silpose.pose import PoseSpace
-from silpose.recording import record_extinction, texts
+from silpose.recording import record_extinction
 from silpose.run import Run
 from silpose.tracking import PointTracker
 
@@ -69,16 +69,13 @@ def extinction(
     }
     with run.writing("extinction.png") as path:
         _figure(path, space, x, tracks)
-    with run.writing("run.rrd") as path:
-        record_extinction(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "extinction.png",
-            {name: activations for name, (_, activations) in tracks.items()},
-            {name: space.distance(x, estimated) for name, (estimated, _) in tracks.items()},
-            described.data.test[0].frames_per_second,
-            texts("activations of the kernels over time", run.settings, metrics),
-        )
+    record_extinction(
+        run.header("activations of the kernels over time", metrics),
+        run.folder / "extinction.png",
+        {name: activations for name, (_, activations) in tracks.items()},
+        {name: space.distance(x, estimated) for name, (estimated, _) in tracks.items()},
+        described.data.test[0].frames_per_second,
+    )
     run.write_settings()
     run.write_results([*learnt.selection.rows, *tidy(metrics)])
     run.write_metrics(described.data.name, rooms.seed, metrics)

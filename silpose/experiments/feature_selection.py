@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare
-from silpose.recording import record_features, texts
+from silpose.recording import record_features
 from silpose.regression import check_methods
 from silpose.run import Run
 
@@ -58,16 +58,13 @@ def feature_selection(rooms: Rooms, run: Run, method: str, samples: int) -> None
     points = [description.points for description in seen]
     with run.writing("feature_selection.png") as path:
         _figure(path, masks, points, marked, samples)
-    with run.writing("run.rrd") as path:
-        record_features(
-            path,
-            f"{run.experiment}/{run.name}",
-            masks,
-            points,
-            marked,
-            take.frames_per_second,
-            texts("silhouette points whose bins are retained", run.settings, metrics),
-        )
+    record_features(
+        run.header("silhouette points whose bins are retained", metrics),
+        masks,
+        points,
+        marked,
+        take.frames_per_second,
+    )
     run.write_settings()
     run.write_results([{"part": part, "bin": int(b)} for part, own in bins.items() for b in own])
     run.write_metrics(described.data.name, rooms.seed, metrics)

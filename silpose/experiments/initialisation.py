@@ -16,7 +16,7 @@ from silpose.experiments.trackers import Learnt, learn_to_track
 from silpose.experiments.training import tidy
 from silpose.pose import PoseSpace
 from silpose.progress import bar
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.run import Run
 from silpose.tracking import Tracker
 
@@ -64,16 +64,13 @@ def initialisation(rooms: Rooms, run: Run) -> None:
     }
     with run.writing("initialisation.png") as path:
         _figure(path, shares, metrics)
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "initialisation.png",
-            shares,
-            "share of frames within 20° of the heading, by first frame",
-            rate,
-            texts("tracks that begin at every frame in turn", run.settings, metrics),
-        )
+    record_study(
+        run.header("tracks that begin at every frame in turn", metrics),
+        run.folder / "initialisation.png",
+        shares,
+        "share of frames within 20° of the heading, by first frame",
+        rate,
+    )
     run.write_settings()
     run.write_results([*learnt.selection.rows, *tidy(metrics)])
     run.write_metrics(described.data.name, rooms.seed, metrics)

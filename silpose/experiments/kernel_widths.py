@@ -14,7 +14,7 @@ from sklearn.base import clone
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.trackers import Learnt, learn_to_track
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.run import Run
 from silpose.tracking import Tracker
 
@@ -56,16 +56,13 @@ def kernel_widths(rooms: Rooms, run: Run, factors: Sequence[float]) -> None:
     }
     with run.writing("kernel_widths.png") as path:
         _figure(path, factors, grids)
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "kernel_widths.png",
-            series,
-            "error for several β_x",
-            described.data.test[0].frames_per_second,
-            texts("tolerance in the kernels' widths", run.settings, metrics),
-        )
+    record_study(
+        run.header("tolerance in the kernels' widths", metrics),
+        run.folder / "kernel_widths.png",
+        series,
+        "error for several β_x",
+        described.data.test[0].frames_per_second,
+    )
     run.write_settings()
     run.write_results([*learnt.selection.rows, *rows])
     run.write_metrics(described.data.name, rooms.seed, metrics)

@@ -16,7 +16,7 @@ from silpose.dataset import Dataset
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.pose import PoseSpace, wrap_degrees
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -87,16 +87,13 @@ def lookalikes(rooms: Rooms, run: Run, pairs: int, overlap: float, frames: int) 
     }
     with run.writing("lookalikes.png") as path:
         _figure(path, rooms, data.space, seen, found)
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "lookalikes.png",
-            series,
-            "how far each sampled pose is from that of the most similar silhouette, degrees",
-            data.train[0].frames_per_second,
-            texts("pairs of poses with nearly the same silhouette", run.settings, metrics),
-        )
+    record_study(
+        run.header("pairs of poses with nearly the same silhouette", metrics),
+        run.folder / "lookalikes.png",
+        series,
+        "how far each sampled pose is from that of the most similar silhouette, degrees",
+        data.train[0].frames_per_second,
+    )
     run.write_settings()
     run.write_metrics(data.name, rooms.seed, metrics)
 

@@ -21,7 +21,7 @@ from silpose.experiments.mixture_peers import (
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import Described, prepare, tidy
 from silpose.pose import PoseSpace
-from silpose.recording import Truth, record_modes, texts
+from silpose.recording import Truth, record_modes
 from silpose.regression import (
     MixtureOfRegressors,
     RidgeRegressor,
@@ -141,16 +141,14 @@ def _record(
     for method, values in best_of(space, {"mixture": means}, take.x).items():
         if method in ("mixture_top1", "mixture_best4"):
             errors[method] = space.distance(take.x, values)
-    with run.stage("recording"), run.writing("run.rrd") as path:
+    with run.stage("recording"):
         record_modes(
-            path,
-            f"{run.experiment}/{run.name}",
+            run.header(f"test sequence {take.name} by {take.performer}", metrics),
             take,
             Truth.of(take, rooms.camera, errors, space),
             weights,
             means,
             space,
-            texts(f"test sequence {take.name} by {take.performer}", run.settings, metrics),
         )
 
 

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.regression import check_methods
 from silpose.run import Run
 
@@ -49,16 +49,13 @@ def parts(rooms: Rooms, run: Run) -> None:
             }
     with run.writing("parts.png") as path:
         _figure(path, rows, metrics)
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "parts.png",
-            series,
-            "error of each part's regressor on the first test sequence, degrees",
-            described.data.test[0].frames_per_second,
-            texts("error and functions kept by body part", run.settings, metrics),
-        )
+    record_study(
+        run.header("error and functions kept by body part", metrics),
+        run.folder / "parts.png",
+        series,
+        "error of each part's regressor on the first test sequence, degrees",
+        described.data.test[0].frames_per_second,
+    )
     run.write_settings()
     run.write_results(rows)
     run.write_metrics(described.data.name, rooms.seed, metrics)

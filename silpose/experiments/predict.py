@@ -13,7 +13,7 @@ from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare
 from silpose.model import Look, PoseModel, Poses
-from silpose.recording import record_prediction, texts
+from silpose.recording import record_prediction
 from silpose.regression import check_methods
 from silpose.run import Run
 from silpose.silhouette import mask_files, read_masks
@@ -43,16 +43,8 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str, lag: float) ->
         look, states = _follow(fitted, fitted.look(masks, own.blank), own.frames_per_second, lag)
     with run.writing("poses.csv") as path:
         _write_csv(path, mask_files(own.source), Poses(look.x, fitted.space), states)
-    with run.writing("run.rrd") as path:
-        sequence = f"{len(masks)} masks of `{own.source}`"
-        record_prediction(
-            path,
-            f"{run.experiment}/{run.name}",
-            fitted,
-            look,
-            own.frames_per_second,
-            texts(sequence, run.settings, {}),
-        )
+    header = run.header(f"{len(masks)} masks of `{own.source}`", {})
+    record_prediction(header, fitted, look, own.frames_per_second)
     if not model:
         with run.writing("model.npz") as path:
             fitted.save(path)

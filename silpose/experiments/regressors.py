@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import Described, compare, prepare
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.regression import Candidates, check_methods
 from silpose.run import Run
 
@@ -63,16 +63,13 @@ def regressors(
         rows += _by_kernel(described, rooms.candidates, kernels, widths)
     with run.writing("regressors.png") as path:
         _figure(path, rows, described.data.space.metrics[0])
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "regressors.png",
-            series,
-            described.data.space.metrics[0].replace("_", " ") + ", first test sequence",
-            described.data.test[0].frames_per_second,
-            texts("the whole body, all test sequences", run.settings, metrics),
-        )
+    record_study(
+        run.header("the whole body, all test sequences", metrics),
+        run.folder / "regressors.png",
+        series,
+        described.data.space.metrics[0].replace("_", " ") + ", first test sequence",
+        described.data.test[0].frames_per_second,
+    )
     run.write_settings()
     run.write_results(rows)
     run.write_metrics(described.data.name, rooms.seed, metrics)

@@ -17,7 +17,7 @@ from silpose.dataset import Sequence as Take
 from silpose.experiments.descriptors import examples, learn_descriptor
 from silpose.experiments.rooms import Rooms
 from silpose.pose import PoseSpace
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -64,17 +64,14 @@ def similarity(rooms: Rooms, run: Run, sequences: Sequence[str]) -> None:
     with run.writing("similarity.png") as path:
         _figure(path, alike, metrics, take)
     middle = len(take) // 2
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "similarity.png",
-            {name: matrix[middle] for name, matrix in alike.items()},
-            f"similarity to frame {middle}: share of all pairs that are less alike",
-            take.frames_per_second,
-            texts(f"sequence {take.name} by {take.performer}", run.settings, metrics),
-            [] if take.masks is None else list(take.masks),
-        )
+    record_study(
+        run.header(f"sequence {take.name} by {take.performer}", metrics),
+        run.folder / "similarity.png",
+        {name: matrix[middle] for name, matrix in alike.items()},
+        f"similarity to frame {middle}: share of all pairs that are less alike",
+        take.frames_per_second,
+        [] if take.masks is None else list(take.masks),
+    )
     run.write_settings()
     run.write_results(
         [{"distance": name, **values, "frames": len(take)} for name, values in metrics.items()]

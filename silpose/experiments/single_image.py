@@ -13,7 +13,7 @@ from silpose.experiments.figures import single_image_figure
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import Described, compare, prepare, tidy
 from silpose.model import PoseModel
-from silpose.recording import Reasons, Truth, record_single_image, texts
+from silpose.recording import Reasons, Truth, record_single_image
 from silpose.regression import check_methods
 from silpose.run import Run
 
@@ -75,22 +75,18 @@ def _write(
     )
     with run.writing("model.npz") as path:
         model.save(path)
-    with run.writing("run.rrd") as path:
-        record_single_image(
-            path,
-            f"{run.experiment}/{run.name}",
-            model,
-            look,
-            Truth.of(take, camera, errors, data.space),
-            [show, "nearest", "mean_pose"],
-            texts(
-                f"test sequence {take.name} by {take.performer}; RMS errors of {show}: "
-                + ", ".join(_in_words(key) for key in keys),
-                run.settings,
-                metrics,
-            ),
-            Reasons.of(model.regressor, look, data.train, rooms.camera, data.space),
-        )
+    record_single_image(
+        run.header(
+            f"test sequence {take.name} by {take.performer}; RMS errors of {show}: "
+            + ", ".join(_in_words(key) for key in keys),
+            metrics,
+        ),
+        model,
+        look,
+        Truth.of(take, camera, errors, data.space),
+        [show, "nearest", "mean_pose"],
+        Reasons.of(model.regressor, look, data.train, rooms.camera, data.space),
+    )
     with run.writing("single_image.png") as path:
         single_image_figure(
             path,

@@ -16,7 +16,7 @@ from silpose.experiments.trackers import Learnt, learn_to_track
 from silpose.experiments.training import tidy
 from silpose.model import PoseModel
 from silpose.pose import PoseSpace
-from silpose.recording import Truth, record_tracking, texts
+from silpose.recording import Truth, record_tracking
 from silpose.run import Run
 from silpose.tracking import Track, choose_rivals
 
@@ -93,17 +93,14 @@ def _write(
         model.save(path)
     with run.writing("tracking.png") as path:
         _figure(path, space, take.x, tracks)
-    with run.writing("run.rrd") as path:
-        record_tracking(
-            path,
-            f"{run.experiment}/{run.name}",
-            take,
-            Truth.of(take, rooms.camera, errors, space),
-            {method: tracks[method] for method in ("ridge", "dynamics", "joint", "tracker")},
-            track,
-            space,
-            texts(f"test sequence {take.name} by {take.performer}", run.settings, metrics),
-        )
+    record_tracking(
+        run.header(f"test sequence {take.name} by {take.performer}", metrics),
+        take,
+        Truth.of(take, rooms.camera, errors, space),
+        {method: tracks[method] for method in ("ridge", "dynamics", "joint", "tracker")},
+        track,
+        space,
+    )
 
 
 def _figure(path: Path, space: PoseSpace, true: Array, tracks: Mapping[str, Array]) -> None:

@@ -19,7 +19,7 @@ from silpose.experiments.descriptors import describe
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import Described, described
 from silpose.progress import bar
-from silpose.recording import record_study, texts
+from silpose.recording import record_study
 from silpose.regression import Regressor, check_methods
 from silpose.run import Run
 
@@ -95,16 +95,13 @@ def training_data(
     metrics = _summary(rows)
     with run.writing("training_data.png") as path:
         _figure(path, rows, methods)
-    with run.writing("run.rrd") as path:
-        record_study(
-            path,
-            f"{run.experiment}/{run.name}",
-            run.folder / "training_data.png",
-            series,
-            f"{methods[0]} on {STRANGE}, {max(frames)} training frames: error, degrees",
-            test[0].frames_per_second,
-            texts("error by training data, frames of it, and method", run.settings, metrics),
-        )
+    record_study(
+        run.header("error by training data, frames of it, and method", metrics),
+        run.folder / "training_data.png",
+        series,
+        f"{methods[0]} on {STRANGE}, {max(frames)} training frames: error, degrees",
+        test[0].frames_per_second,
+    )
     run.write_settings()
     run.write_metrics(trial.described.data.name, rooms.seed, metrics)
 

@@ -1,28 +1,91 @@
-"""Recordings: the only room that knows Rerun."""
+"""Recordings: the only room that knows Rerun, and loads it only when there is need."""
 
-from silpose.recording.codebook_picture import codebook_picture
-from silpose.recording.compare import compare
-from silpose.recording.context_space import ContextSpace, record_context_space
-from silpose.recording.modes import record_modes
-from silpose.recording.notebook import show
-from silpose.recording.picture import film, picture
-from silpose.recording.read import read_poses
-from silpose.recording.reasons import Reasons
-from silpose.recording.record import Truth, record_prediction, record_single_image
-from silpose.recording.repair import repair
-from silpose.recording.study import record_bridges, record_features, record_study
-from silpose.recording.texts import texts
-from silpose.recording.tracking import record_extinction, record_tracking
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from silpose.recording.codebook import codebook_picture
+    from silpose.recording.comparison import compare
+    from silpose.recording.context_space import ContextSpace
+    from silpose.recording.header import Header
+    from silpose.recording.modes import record_modes
+    from silpose.recording.notebook import show
+    from silpose.recording.pictures import film, picture
+    from silpose.recording.read import Tracks, read_poses, read_tracks
+    from silpose.recording.reasons import Reasons
+    from silpose.recording.record import record_prediction, record_single_image
+    from silpose.recording.salvage import repair
+    from silpose.recording.sinks import Sinks
+    from silpose.recording.study import (
+        record_bridges,
+        record_context_space,
+        record_features,
+        record_study,
+    )
+    from silpose.recording.tracking import record_extinction, record_tracking
+    from silpose.recording.truth import Truth
+    from silpose.recording.web import serve
+
+_HOMES = {
+    "codebook": ("codebook_picture",),
+    "comparison": ("compare",),
+    "context_space": ("ContextSpace",),
+    "header": ("Header",),
+    "modes": ("record_modes",),
+    "notebook": ("show",),
+    "pictures": ("film", "picture"),
+    "read": ("Tracks", "read_poses", "read_tracks"),
+    "reasons": ("Reasons",),
+    "record": ("record_prediction", "record_single_image"),
+    "salvage": ("repair",),
+    "sinks": ("Sinks",),
+    "study": ("record_bridges", "record_context_space", "record_features", "record_study"),
+    "tracking": ("record_extinction", "record_tracking"),
+    "truth": ("Truth",),
+    "web": ("serve",),
+}
+
+# Rerun tells of a viewer that was closed in several lines; here it is one sentence.
+os.environ.setdefault("RUST_LOG", "warn,re_grpc_client=off,re_sdk=off")
+
+
+def __getattr__(name: str) -> Any:
+    for home, names in _HOMES.items():
+        if name in names:
+            module = f"{__name__}.{home}"
+            recorder = name.startswith("record_")
+            value = _when_wanted(module, name) if recorder else getattr(import_module(module), name)
+            return globals().setdefault(name, value)
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+
+
+def _when_wanted(module: str, name: str) -> Callable[..., None]:
+    """Record only where a recording is wanted: a run without one does not load Rerun."""
+
+    def record(header: Header, *what: object, **more: object) -> None:
+        if header.sinks.kinds:
+            getattr(import_module(module), name)(header, *what, **more)
+
+    return record
+
 
 __all__ = [
     "ContextSpace",
+    "Header",
     "Reasons",
+    "Sinks",
+    "Tracks",
     "Truth",
     "codebook_picture",
     "compare",
     "film",
     "picture",
     "read_poses",
+    "read_tracks",
     "record_bridges",
     "record_context_space",
     "record_extinction",
@@ -33,6 +96,6 @@ __all__ = [
     "record_study",
     "record_tracking",
     "repair",
+    "serve",
     "show",
-    "texts",
 ]

@@ -9,6 +9,7 @@ import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
 
+from silpose.pose import PoseSpace
 from silpose.recording import entities, palette
 from silpose.silhouette import Camera
 
@@ -180,10 +181,24 @@ class Track:
         )
         self.columns(entity, rr.Scalars.columns(scalars=values), None)
 
-    def rows(self, entity: str, values: Array) -> None:
-        """Log numbers that no view shows, to be read back: ``values (F, n)``."""
-        lengths = [values.shape[1]] * self._frames
-        self.columns(entity, rr.Scalars.columns(scalars=values.ravel()), lengths)
+    def poses(self, entity: str, x: Array, space: PoseSpace) -> None:
+        """Log pose vectors ``x (F, D)``, which no view shows, to be read back with their names."""
+        self._recording.log(entity, rr.SeriesLines.from_fields(names=space.columns), static=True)
+        lengths = [x.shape[1]] * self._frames
+        self.columns(entity, rr.Scalars.columns(scalars=x.ravel()), lengths)
+
+    def picture(self, entity: str, image: NDArray[np.uint8]) -> None:
+        """Log a picture (H, W, 3) that stays."""
+        self._recording.log(entity, rr.Image(image), static=True)
+
+    def labels(self, entity: str, places: Array, labels: Sequence[str]) -> None:
+        """Log words at places ``(n, 2)`` in a picture, n of them for each frame."""
+        self._recording.log(
+            entity,
+            rr.Points2D.from_fields(positions=places, colors=palette.NEUTRAL, radii=0.1),
+            static=True,
+        )
+        self.columns(entity, rr.Points2D.columns(labels=labels), [len(places)] * self._frames)
 
     def states(
         self, entity: str, states: Sequence[str], colours: dict[str, palette.Colour]

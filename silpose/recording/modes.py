@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
-
 import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
@@ -12,9 +9,10 @@ from numpy.typing import NDArray
 from silpose.dataset import Sequence as Take
 from silpose.pose import PoseSpace
 from silpose.recording import blueprint, entities, palette
+from silpose.recording.header import Header
 from silpose.recording.log import Track
-from silpose.recording.record import Truth
 from silpose.recording.stream import recording_stream
+from silpose.recording.truth import Truth
 
 Array = NDArray[np.float64]
 
@@ -22,29 +20,23 @@ _LEAST = 0.03  # weight below which a mode is not drawn
 
 
 def record_modes(
-    path: Path,
-    name: str,
+    header: Header,
     take: Take,
     truth: Truth,
     weights: Array,
     means: Array,
     space: PoseSpace,
-    texts: Mapping[str, str],
 ) -> None:
     """Write the modes of a sequence's frames.
 
     Parameters
     ----------
-    path : Path
-    name : str
-        Of the run.
+    header : Header
     take : Sequence
     truth : Truth
     weights, means : ndarray, shapes (F, k) and (F, k, D)
         Modes, the most probable first.
     space : PoseSpace
-    texts : mapping of str to str
-        Markdown by entity.
     """
     count = weights.shape[1]
     layout = blueprint.modes(
@@ -54,7 +46,7 @@ def record_modes(
         space.metrics[0],
         take.masks is not None,
     )
-    with recording_stream(path, name, texts, layout) as recording:
+    with recording_stream(header, layout) as recording:
         track = Track(recording, len(take), take.frames_per_second)
         if take.masks is not None:
             track.masks_alone(take.masks)
@@ -62,10 +54,12 @@ def record_modes(
         track.skeleton(
             entities.TRUE_SKELETON, true, space.bones, space.joint_names, palette.TRUE, 0.013
         )
+        track.poses(entities.TRUE_POSE, truth.poses, space)
         track.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
         for k in range(count):
             entity = f"{entities.MODES}/{k + 1}"
             colour = palette.hue(k, count)
+            track.poses(f"{entity}/pose", means[:, k], space)
             track.series(f"{entity}/weight", weights[:, k], f"mode {k + 1}", colour)
             heading = np.where(weights[:, k] >= _LEAST, space.heading(means[:, k]), np.nan)
             track.series(f"{entity}/heading", heading, f"mode {k + 1}", colour, 1.0)

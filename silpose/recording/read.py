@@ -2,18 +2,51 @@
 
 from __future__ import annotations
 
+import re
+import warnings
+from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from rerun.chunk import RrdReader
+from rerun.chunk import Chunk, RrdReader
 
 from silpose.errors import InputError
 from silpose.recording import entities
 
 Array = NDArray[np.float64]
 
-_POSE = "/pose"  # how the entities end that hold pose vectors
+_MAGIC = b"RRF2"  # how a file of Rerun's begins; its version follows
+_POSES = (
+    (entities.TRUE_POSE, "true"),
+    (entities.ESTIMATED_POSE, "estimated"),
+    (f"{entities.TRACKS}/([^/]+)/pose", "{1}"),
+    (f"{entities.MODES}/([^/]+)/pose", "mode_{1}"),
+)
+
+
+@dataclass(frozen=True)
+class Tracks:
+    """What a recording says about every frame.
+
+    Attributes
+    ----------
+    time : ndarray, shape (F,)
+        Seconds from the sequence's start; empty if there are no poses.
+    columns : tuple of str
+        Names of the D columns of pose vectors.
+    poses : dict of str to ndarray, shape (F, D)
+        ``true`` where the truth is known; ``estimated``, or one for each method that was drawn. A
+        frame without an answer is a row of NaN.
+    errors : dict of str to ndarray, shape (F,)
+        By method.
+    """
+
+    time: Array
+    columns: tuple[str, ...]
+    poses: dict[str, Array]
+    errors: dict[str, Array]
 
 
 def reader(recording: str | Path) -> RrdReader:
@@ -21,53 +54,99 @@ def reader(recording: str | Path) -> RrdReader:
     path = Path(recording)
     if not path.is_file():
         raise InputError(f"there is no recording '{path}'")
+    with path.open("rb") as file:
+        start = file.read(8)
+    if start[:4] != _MAGIC:
+        raise InputError(f"'{path}' is no recording of this version of Rerun, nor of a near one")
     try:
-        opened = RrdReader(path)
-        recordings = opened.recordings()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # Rerun's own words for a file that was cut off
+            opened = RrdReader(path)
+            empty = not opened.recordings()
+            opened.store()
+            next(iter(opened.stream()), None)  # the first to look at the version
     except Exception as error:
-        raise InputError(
-            f"'{path}' cannot be read as a recording: it may be cut off, or of another version "
-            "of Rerun; 'rerun rrd migrate' or running the experiment again may help"
-        ) from error
-    if not recordings:
+        raise _unreadable(path, start) from error
+    if empty:
         raise InputError(f"'{path}' holds no recording")
     return opened
 
 
+def _unreadable(path: Path, start: bytes) -> InputError:
+    theirs, ours = f"{start[4]}.{start[5]}", ".".join(version("rerun-sdk").split(".")[:2])
+    if theirs != ours:
+        return InputError(
+            f"'{path}' was written by Rerun {theirs}, which Rerun {ours} cannot read: "
+            "run the experiment again"
+        )
+    return InputError(f"'{path}' was cut off: 'silpose repair {path}' salvages what is in it")
+
+
 def read_poses(recording: str | Path) -> dict[str, Array]:
-    """Read the pose vectors of a recording.
+    """Read the pose vectors of a recording: `Tracks.poses`."""
+    return read_tracks(recording).poses
+
+
+def read_tracks(recording: str | Path) -> Tracks:
+    """Read what a recording says about every frame.
 
     Parameters
     ----------
     recording : path
-        Of an ``.rrd`` file.
-
-    Returns
-    -------
-    poses : dict of str to ndarray, shape (F, D)
-        ``true`` where the truth is known; ``estimated``, or one for each method that was drawn. A
-        frame without an answer is a row of NaN.
+        Of an ``.rrd`` file. Of several runs side by side, names begin with the run's.
     """
-    poses: dict[str, list[tuple[NDArray[np.int64], Array]]] = {}
-    for chunk in reader(recording).stream().filter(content=["/**"], is_static=False):
-        if not chunk.entity_path.endswith(_POSE):
+    poses, errors = _Rows(), _Rows()
+    columns: tuple[str, ...] = ()
+    for chunk in reader(recording).stream().filter(content=["/**"]):
+        name, rows = _name(chunk.entity_path), poses
+        if name is None:
+            name, rows = _name_of_error(chunk.entity_path), errors
+        if name is None:
             continue
+        if not chunk.is_static:
+            rows.add(name, chunk)
+        elif rows is poses:
+            batch = chunk.to_record_batch()
+            columns = tuple(batch.column("SeriesLines:names")[0].as_py())
+    return Tracks(
+        poses.times(), columns, poses.values(), {n: v[:, 0] for n, v in errors.values().items()}
+    )
+
+
+class _Rows:
+    """Rows of numbers by name, put in the order of their frames."""
+
+    def __init__(self) -> None:
+        self._parts: dict[str, list[tuple[NDArray[np.int64], Array, Array]]] = {}
+
+    def add(self, name: str, chunk: Chunk) -> None:
         batch = chunk.to_record_batch()
-        rows = next(c for c in batch.schema.names if c.endswith("Scalars:scalars"))
-        frames = np.asarray(batch.column("frame"))
-        values = np.array(batch.column(rows).to_pylist(), dtype=float)
-        poses.setdefault(_name(chunk.entity_path), []).append((frames, values))
-    return {
-        name: np.concatenate([v for _, v in parts])[
-            np.argsort(np.concatenate([f for f, _ in parts]), kind="stable")
-        ]
-        for name, parts in sorted(poses.items())
-    }
+        scalars = batch.column("Scalars:scalars")
+        values = scalars.flatten().to_numpy(zero_copy_only=False).reshape(batch.num_rows, -1)
+        times = np.asarray(batch.column("time")).astype("timedelta64[ns]").astype(float) / 1e9
+        self._parts.setdefault(name, []).append((np.asarray(batch.column("frame")), times, values))
+
+    def times(self) -> Array:
+        longest = max(self._parts, key=lambda n: sum(len(p[0]) for p in self._parts[n]), default="")
+        return self._ordered(longest, 1) if longest else np.empty(0)
+
+    def values(self) -> dict[str, Array]:
+        return {name: self._ordered(name, 2) for name in sorted(self._parts)}
+
+    def _ordered(self, name: str, which: int) -> Array:
+        frames, *others = (np.concatenate(part) for part in zip(*self._parts[name], strict=True))
+        return np.asarray(others[which - 1][np.argsort(frames, kind="stable")])
 
 
-def _name(entity: str) -> str:
-    if entity == entities.TRUE_POSE:
-        return "true"
-    if entity == entities.ESTIMATED_POSE:
-        return "estimated"
-    return entity.removesuffix(_POSE).rpartition("/")[2]
+def _name(entity: str) -> str | None:
+    """Name the poses of an entity; None if it holds none."""
+    for path, name in _POSES:
+        if found := re.fullmatch(rf"/?(.*?){path}", entity):
+            return "/".join(filter(None, (found[1], name.format(*found.groups()))))
+    return None
+
+
+def _name_of_error(entity: str) -> str | None:
+    if found := re.fullmatch(rf"/?(.*?){entities.ERROR}/(.+)", entity):
+        return "/".join(filter(None, found.groups()))
+    return None

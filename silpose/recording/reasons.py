@@ -8,18 +8,17 @@ from typing import TYPE_CHECKING
 
 import cv2
 import numpy as np
-import rerun as rr
 from numpy.typing import NDArray
 
 from silpose.dataset import Sequence as Take
 from silpose.pose import PoseSpace
 from silpose.recording import entities, palette
-from silpose.recording.log import Track
 from silpose.regression import Regressor
 from silpose.silhouette import Camera
 
 if TYPE_CHECKING:
     from silpose.model import Look
+    from silpose.recording.log import Track
 
 Array = NDArray[np.float64]
 
@@ -99,9 +98,7 @@ def _drawings(
     return outlines, np.stack(bones)
 
 
-def log_reasons(
-    recording: rr.RecordingStream, track: Track, reasons: Reasons, space: PoseSpace
-) -> None:
+def log_reasons(track: Track, reasons: Reasons, space: PoseSpace) -> None:
     """Log the examples side by side, the weightiest on the left."""
     shifts = _SIZE * np.arange(COUNT)[:, None] * [1.0, 0.0]
     outlines: list[NDArray[np.float32]] = []
@@ -127,12 +124,5 @@ def log_reasons(
         1.5,
     )
     below = np.array([_SIZE / 2, 2 * _SIZE])
-    recording.log(
-        entities.REASONS_WEIGHTS,
-        rr.Points2D.from_fields(positions=shifts + below, colors=palette.NEUTRAL, radii=0.1),
-        static=True,
-    )
     labels = [f"{w:.0%}" for w in reasons.weight.ravel()]
-    track.columns(
-        entities.REASONS_WEIGHTS, rr.Points2D.columns(labels=labels), [COUNT] * len(bones)
-    )
+    track.labels(entities.REASONS_WEIGHTS, shifts + below, labels)

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from silpose.dataset import Sequence as Take
 from silpose.pose import PoseSpace
 from silpose.recording import blueprint, entities, palette
+from silpose.recording.header import Header
 from silpose.recording.log import Track as Lines
-from silpose.recording.record import Truth
 from silpose.recording.stream import recording_stream
+from silpose.recording.truth import Truth
 from silpose.tracking import Track
 
 Array = NDArray[np.float64]
@@ -24,22 +25,18 @@ _OVERHEAD = 1.85  # metres
 
 
 def record_tracking(
-    path: Path,
-    name: str,
+    header: Header,
     take: Take,
     truth: Truth,
     tracks: Mapping[str, Array],
     track: Track,
     space: PoseSpace,
-    texts: Mapping[str, str],
 ) -> None:
     """Write how several methods follow one sequence.
 
     Parameters
     ----------
-    path : Path
-    name : str
-        Of the run.
+    header : Header
     take : Sequence
         What was tracked.
     truth : Truth
@@ -49,13 +46,11 @@ def record_tracking(
     track : Track
         The tracker's states and beliefs.
     space : PoseSpace
-    texts : mapping of str to str
-        Markdown by entity.
     """
     layout = blueprint.tracking(
         list(tracks), take.frames_per_second, space.metrics[0], take.masks is not None
     )
-    with recording_stream(path, name, texts, layout) as recording:
+    with recording_stream(header, layout) as recording:
         lines = Lines(recording, len(take), take.frames_per_second)
         if take.masks is not None:
             lines.masks_alone(take.masks)
@@ -63,13 +58,13 @@ def record_tracking(
         places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
         height = truth.root * (0, 1, 0)
         _bodies(lines, entities.TRUE_SKELETON, [truth.poses] * len(tracks), places, height, space)
-        lines.rows(entities.TRUE_POSE, truth.poses)
+        lines.poses(entities.TRUE_POSE, truth.poses, space)
         lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
         for where, (method, x) in zip(places, tracks.items(), strict=True):
             colour = palette.METHODS.get(method, palette.ESTIMATED)
             entity = f"{entities.TRACKS}/{method}"
             _bodies(lines, f"{entity}/skeleton", [x], [where], height, space, colour)
-            lines.rows(f"{entity}/pose", x)
+            lines.poses(f"{entity}/pose", x, space)
             lines.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
         recording.log(
             entities.TRACK_NAMES,
@@ -114,21 +109,17 @@ def _bodies(
 
 
 def record_extinction(
-    path: Path,
-    name: str,
+    header: Header,
     figure: Path,
     activations: Mapping[str, Array],
     errors: Mapping[str, Array],
     frames_per_second: float,
-    texts: Mapping[str, str],
 ) -> None:
     """Write how kernels stop firing.
 
     Parameters
     ----------
-    path : Path
-    name : str
-        Of the run.
+    header : Header
     figure : Path
         Of a PNG.
     activations : mapping of str to ndarray, shape (F, k)
@@ -136,11 +127,9 @@ def record_extinction(
     errors : mapping of str to ndarray, shape (F,)
         Likewise.
     frames_per_second : float
-    texts : mapping of str to str
-        Markdown by entity.
     """
     layout = blueprint.extinction(list(activations), frames_per_second)
-    with recording_stream(path, name, texts, layout) as recording:
+    with recording_stream(header, layout) as recording:
         recording.log(entities.FIGURE, rr.EncodedImage(path=figure), static=True)
         frames = len(next(iter(errors.values())))
         lines = Lines(recording, frames, frames_per_second)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
-import rerun as rr
 from numpy.typing import NDArray
 
 from silpose.recording import entities, palette
-from silpose.recording.log import Track
+
+if TYPE_CHECKING:
+    from silpose.recording.log import Track
 
 Array = NDArray[np.floating]
 
@@ -51,16 +54,12 @@ def codebook_picture(codebook: Array, angular_bins: int) -> NDArray[np.uint8]:
     return picture.astype(np.uint8)
 
 
-def log_codebook(
-    recording: rr.RecordingStream, track: Track, codebook: Array, angular_bins: int, z: Array
-) -> None:
+def log_codebook(track: Track, codebook: Array, angular_bins: int, z: Array) -> None:
     """Log the picture, and below every centre a bar as long as its share of each frame's votes.
 
     A bar across the whole tile is the largest share that occurs.
     """
-    recording.log(
-        entities.CODEBOOK, rr.Image(codebook_picture(codebook, angular_bins)), static=True
-    )
+    track.picture(entities.CODEBOOK, codebook_picture(codebook, angular_bins))
     count = len(codebook)
     rows, columns = np.divmod(np.arange(count), columns_of(count))
     starts = np.stack([columns * _TILE + 1.0, (rows + 1) * _TILE - 2.0], axis=1)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import rerun as rr
+import yaml
 from rerun.chunk import Chunk
 
 from silpose.errors import InputError
 from silpose.recording import blueprint, entities, palette
+from silpose.recording.header import Header, flat, results_table
 from silpose.recording.read import reader
 from silpose.recording.stream import recording_stream
-from silpose.recording.texts import results_table
 from silpose.run import FinishedRun
 
 _SHARED = (entities.FIGURE, entities.SETTINGS, entities.METRICS, entities.SEQUENCE)
@@ -35,23 +36,20 @@ def compare(runs: Sequence[FinishedRun], path: Path, method: str | None = None) 
     experiments = sorted({run.experiment for run in runs})
     if len(experiments) > 1:
         raise InputError(f"only runs of one experiment compare, not of {' and '.join(experiments)}")
-    drawn = {name: method or _shown(run) for name, run in zip(_names(runs), runs, strict=True)}
+    drawn = {name: method or run.shown for name, run in zip(_names(runs), runs, strict=True)}
     for (name, what), run in zip(drawn.items(), runs, strict=True):
         if what not in run.metrics:
             known = ", ".join(run.metrics)
             raise InputError(f"run '{name}' has no method '{what}'; it has {known}")
-    text = "\n\n".join(
-        f"**{name}**\n\n{results_table(run.metrics)}" for name, run in zip(drawn, runs, strict=True)
-    )
     title = f"{experiments[0]}: {', '.join(drawn)}"
     layout = blueprint.comparison(drawn, 15.0, side_by_side=experiments == ["tracking"])
-    partial = path.with_name(f".{path.name}.partial")
-    with recording_stream(partial, title, {entities.METRICS: text}, layout) as recording:
-        for k, (name, run) in enumerate(zip(drawn, runs, strict=True)):
-            chunks = reader(run.recording).stream().filter(content=["/**"])
+    header = Header("comparison", title, path, _in_words(drawn, runs))
+    sources = [reader(run.recording) for run in runs]  # before anything is written
+    with recording_stream(header, layout) as recording:
+        for k, (name, source) in enumerate(zip(drawn, sources, strict=True)):
             recording.send_chunks(
                 _below(name, chunk)
-                for chunk in chunks
+                for chunk in source.stream().filter(content=["/**"])
                 if chunk.entity_path not in _SHARED and not chunk.entity_path.startswith("/__")
             )
             recording.log(
@@ -59,7 +57,27 @@ def compare(runs: Sequence[FinishedRun], path: Path, method: str | None = None) 
                 rr.SeriesLines(colors=palette.hue(k, len(runs)), names=f"{name}: {drawn[name]}"),
                 static=True,
             )
-    partial.replace(path)
+
+
+def _in_words(names: Iterable[str], runs: Sequence[FinishedRun]) -> str:
+    """Say which settings differ, and give each run's results."""
+    settings = [dict(flat(yaml.safe_load(run.config) or {})) for run in runs]
+    differ = [
+        name
+        for name in dict.fromkeys(name for own in settings for name in own)
+        if not name.startswith("recording.") and len({own.get(name) for own in settings}) > 1
+    ]
+    titles = ["run", *differ]
+    rows = [
+        [name, *(own.get(setting, "") for setting in differ)]
+        for name, own in zip(names, settings, strict=True)
+    ]
+    ruled = [titles, [":--"] * len(titles), *rows]
+    table = "\n".join(f"| {' | '.join(row)} |" for row in ruled)
+    results = [
+        f"**{name}**\n\n{results_table(run.metrics)}" for name, run in zip(names, runs, strict=True)
+    ]
+    return "\n\n".join([table if differ else "no setting differs", *results])
 
 
 def _below(name: str, chunk: Chunk) -> Chunk:
@@ -72,11 +90,3 @@ def _names(runs: Sequence[FinishedRun]) -> list[str]:
         twice = max(names, key=names.count)
         raise InputError(f"two of the runs are called '{twice}': name runs by recording.name=…")
     return names
-
-
-def _shown(run: FinishedRun) -> str:
-    """Name the method that a run draws: what its settings show, else its last."""
-    for line in run.config.splitlines():
-        if line.startswith("show: "):
-            return line.removeprefix("show: ")
-    return list(run.metrics)[-1]

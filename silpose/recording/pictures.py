@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import random
-import sys
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
@@ -17,9 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from silpose.errors import InputError
+from silpose.files import writing
+from silpose.recording.program import HOST, free_port, start
 from silpose.recording.read import reader
 
 _PAINTED = 0.5  # seconds until a first picture is complete
+_SETTLE = 0.3  # seconds after which a viewer has found its driver
 
 
 def picture(
@@ -39,8 +40,8 @@ def picture(
     width : int
         Pixels.
     """
-    with _shots(recording, view, width) as shoot:
-        Path(path).write_bytes(shoot(frame))
+    with writing(Path(path)) as aside, _shots(recording, view, width) as shoot:
+        aside.write_bytes(shoot(frame))
 
 
 def film(
@@ -68,21 +69,24 @@ def film(
         raise InputError("a film wants one frame or more")
     if path.suffix not in (".gif", ".mp4"):
         raise InputError(f"'{path}' must end in .gif or .mp4")
-    with _shots(recording, view, width) as shoot:
-        images = [_decoded(shoot(frame)) for frame in frames]
-    if path.suffix == ".mp4":
-        height, wide = images[0].shape[:2]
-        fourcc = cv2.VideoWriter.fourcc(*"mp4v")
-        writer = cv2.VideoWriter(str(path), fourcc, frames_per_second, (wide, height))
-        for image in images:
-            writer.write(image)
-        writer.release()
-    else:
-        _write_gif(path, images, frames_per_second)
+    write = _write_mp4 if path.suffix == ".mp4" else _write_gif
+    with writing(path) as aside:
+        with _shots(recording, view, width) as shoot:
+            images = [_decoded(shoot(frame)) for frame in frames]
+        write(aside, images, frames_per_second)
 
 
 def _decoded(png: bytes) -> NDArray[np.uint8]:
     return np.asarray(cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR), np.uint8)
+
+
+def _write_mp4(path: Path, images: Sequence[NDArray[Any]], frames_per_second: float) -> None:
+    height, width = images[0].shape[:2]
+    fourcc = cv2.VideoWriter.fourcc(*"mp4v")
+    writer = cv2.VideoWriter(str(path), fourcc, frames_per_second, (width, height))
+    for image in images:
+        writer.write(image)
+    writer.release()
 
 
 def _write_gif(path: Path, images: Sequence[NDArray[Any]], frames_per_second: float) -> None:
@@ -99,20 +103,17 @@ def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]
     from rerun.experimental import ViewerClient
 
     reader(recording)  # says what is wrong with it
-    os.environ.setdefault("RUST_LOG", "error")
     os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
-    beside = Path(sys.executable).with_name("rerun")  # in an environment of its own
+    port = free_port()
     try:
-        client = ViewerClient.spawn(
-            headless=True,
-            port=random.randint(20000, 40000),
-            executable_path=str(beside) if beside.exists() else None,
-        )
-    except Exception as error:
+        program = start("--headless", port=port, remedy="try again", settle=_SETTLE)
+    except InputError as error:
         raise InputError(
-            "the viewer cannot paint here: it needs a Vulkan driver (Debian: mesa-vulkan-drivers)"
+            f"nothing can be painted here, perhaps for want of a Vulkan driver (Debian: "
+            f"mesa-vulkan-drivers): {error}"
         ) from error
-    with client as viewer:
+    try:
+        viewer = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
         viewer.open(str(Path(recording).absolute()))
         viewer.set_time("frame", sequence=0, play_state="paused")
         viewer.take_screenshot()  # waits until everything is loaded
@@ -126,6 +127,9 @@ def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]
             return bytes(viewer.take_screenshot(**options))
 
         yield shoot
+    finally:
+        program.terminate()
+        program.wait()
 
 
 def _view(views: Any, title: str) -> Any:

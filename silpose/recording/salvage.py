@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import subprocess
-import sys
 from pathlib import Path
 
 from silpose.errors import InputError
+from silpose.files import partial, writing
+from silpose.recording.program import program
 from silpose.recording.read import reader
 
 SALVAGED = "salvaged.rrd"  # never run.rrd: the run was not finished
@@ -27,7 +28,7 @@ def repair(broken: str | Path) -> Path:
     """
     broken = Path(broken)
     if broken.is_dir():
-        inside = [broken / name for name in (".run.rrd.partial", "run.rrd")]
+        inside = [partial(broken / "run.rrd"), broken / "run.rrd"]
         found = [path for path in inside if path.is_file()]
         if not found:
             raise InputError(f"'{broken}' holds no recording to salvage")
@@ -35,16 +36,13 @@ def repair(broken: str | Path) -> Path:
     if not broken.is_file():
         raise InputError(f"there is no recording '{broken}'")
     salvaged = broken.with_name(SALVAGED)
-    partial = salvaged.with_name(f".{SALVAGED}.partial.rrd")
-    rerun = Path(sys.executable).with_name("rerun")
-    command = [str(rerun if rerun.exists() else "rerun"), "rrd", "optimize"]
-    subprocess.run([*command, str(broken), "-o", str(partial)], capture_output=True)
-    try:
-        reader(partial)
-    except InputError as error:
-        partial.unlink(missing_ok=True)
-        raise InputError(
-            f"nothing can be salvaged from '{broken}': run the experiment again"
-        ) from error
-    partial.replace(salvaged)
+    with writing(salvaged) as path:
+        command = [program(), "rrd", "optimize", str(broken), "-o", str(path)]
+        subprocess.run(command, capture_output=True)
+        try:
+            reader(path)
+        except InputError as error:
+            raise InputError(
+                f"nothing can be salvaged from '{broken}': run the experiment again"
+            ) from error
     return salvaged

@@ -1,0 +1,70 @@
+"""Viewers that show a run while it is logged: on the screen, or in a browser."""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+from pathlib import Path
+
+import rerun as rr
+
+from silpose.errors import InputError
+from silpose.recording.program import HOST, go_on_serving, listening, serving, start, viewing
+from silpose.recording.sinks import Sinks
+
+_ANSWER = 5.0  # seconds that a viewer may take to answer
+_SETTLE = 1.5  # seconds after which a viewer has found its screen
+
+
+def connect(recording: rr.RecordingStream, sinks: Sinks, file: Path) -> list[rr.GrpcSink]:
+    """Open the live sinks; one that cannot be had is one warning, and the file remains."""
+    answering = []
+    for kind, opened in (("viewer", _viewer), ("web", _web)):
+        if kind in sinks.kinds:
+            try:
+                url = f"rerun+http://{HOST}:{opened(sinks)}/proxy"
+                _check(recording, url)
+                answering.append(rr.GrpcSink(url))
+            except InputError as error:
+                warnings.warn(f"no {kind}: {error}; '{file}' holds all", stacklevel=2)
+    return answering
+
+
+def _viewer(sinks: Sinks) -> int:
+    """Find a viewer that is open, or open one, which stays when the run is done."""
+    port = sinks.viewer_port
+    if not listening(port):
+        if sys.platform == "linux" and not {"DISPLAY", "WAYLAND_DISPLAY"} & set(os.environ):
+            raise InputError("there is no screen here (recording=web shows runs in a browser)")
+        start(
+            *("--expect-data-soon", "--hide-welcome-screen"),
+            port=port,
+            remedy="choose another recording.viewer_port",
+            settle=_SETTLE,
+            detach=True,
+        )
+    return port
+
+
+def _web(sinks: Sinks) -> int:
+    """Serve a page that shows what arrives, unless an earlier run does already."""
+    port, data = sinks.web_port, sinks.web_port + 1
+    page = viewing(f"http://{HOST}:{port}", f"rerun+http://{HOST}:{data}/proxy")
+    if page not in serving():
+        remedy = "choose another recording.web_port"
+        if listening(port):
+            raise InputError(f"port {port} is in use: {remedy}")
+        web = ("--serve-web", "--web-viewer-port", str(port))
+        go_on_serving(page, start(*web, port=data, remedy=remedy))
+    return data
+
+
+def _check(recording: rr.RecordingStream, url: str) -> None:
+    """Make sure that it is Rerun that answers."""
+    try:
+        recording.set_sinks(rr.GrpcSink(url))
+        recording.flush(timeout_sec=_ANSWER)
+    except RuntimeError as error:
+        port = url.split(":")[2].split("/")[0]
+        raise InputError(f"what listens on port {port} is no viewer: choose another") from error
