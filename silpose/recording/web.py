@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -50,6 +51,7 @@ def serve(folder: str | Path, port: int = 9090) -> None:
     """Serve the recordings of a folder until Ctrl-C."""
     with served(folder, port) as address:
         print(f"Runs of '{folder}':  {address}   (Ctrl-C ends it)", flush=True)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # whoever asks, ends it well
         try:
             threading.Event().wait()
         except KeyboardInterrupt:
