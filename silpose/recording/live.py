@@ -68,4 +68,6 @@ def _check(recording: rr.RecordingStream, name: str, url: str) -> None:
         recording.flush(timeout_sec=_ANSWER)
     except RuntimeError as error:
         port = url.split(":")[2].split("/")[0]
-        raise InputError(f"what listens on port {port} is none: choose another recording.viewer_port") from error
+        raise InputError(
+            f"what listens on port {port} is none: choose another recording.viewer_port"
+        ) from error

@@ -62,7 +62,12 @@ def start(
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=said,
-            env={**os.environ, "RUST_LOG": "error", "RERUN_ANALYTICS": "off", "RERUN_APP_ONLY": "true"},
+            env={
+                **os.environ,
+                "RUST_LOG": "error",
+                "RERUN_ANALYTICS": "off",
+                "RERUN_APP_ONLY": "true",
+            },
             start_new_session=detach,
         )
         deadline = time.monotonic() + _PATIENCE

@@ -122,7 +122,7 @@ class _Rows:
     def add(self, name: str, chunk: Chunk) -> None:
         batch = chunk.to_record_batch()
         numbers = batch.column(batch.schema.names[-1])
-        values = numbers.flatten().to_numpy(zero_copy_only=False).reshape(batch.num_rows, -1)
+        values = np.asarray(numbers.flatten(), dtype=float).reshape(batch.num_rows, -1)
         times = np.asarray(batch.column("time")).astype("timedelta64[ns]").astype(float) / 1e9
         self._parts.setdefault(name, []).append((np.asarray(batch.column("frame")), times, values))
 

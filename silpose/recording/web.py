@@ -30,9 +30,9 @@ def served(folder: str | Path, port: int = 9090) -> Iterator[str]:
     origin = f"http://{HOST}:{viewer_port}"
     try:
         server = ThreadingHTTPServer((HOST, port), partial(_Files, root=root, origin=origin))
-    except OSError as error:
+    except (OSError, OverflowError) as error:
         raise InputError(
-            f"cannot listen on port {port} ({error.strerror}): choose another with --port"
+            f"cannot listen on port {port} ({error}): choose another with --port"
         ) from error
     viewer = start(
         *("--serve-web", "--web-viewer-port", str(viewer_port)), port=data_port, remedy="try again"
