@@ -186,8 +186,7 @@ class Track:
     def poses(self, entity: str, x: Array, space: PoseSpace) -> None:
         """Log pose vectors ``x (F, D)``, which no view shows, to be read back with their names."""
         self._recording.log(entity, rr.AnyValues(columns=list(space.columns)), static=True)
-        rows = rr.AnyValues.columns(pose=x.astype(np.float32).ravel())
-        self.columns(entity, rows, [x.shape[1]] * self._frames)
+        self.columns(entity, rr.AnyValues.columns(pose=list(x.astype(np.float32))), None)
 
     def picture(self, entity: str, image: NDArray[np.uint8]) -> None:
         """Log a picture (H, W, 3) that stays."""

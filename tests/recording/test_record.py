@@ -160,7 +160,8 @@ def test_a_catalog_shows_a_sweep_as_a_table(recordings):
     with rr.server.Server(
         host="127.0.0.1", datasets={"sweep": [str(path) for path in recordings]}
     ) as server:
-        table = server.client().get_dataset("sweep").segment_table().to_pandas()
+        client = server.client()  # alive as long as its table
+        table = client.get_dataset("sweep").segment_table().to_pandas()
     assert len(table) == len(recordings)
     assert {"property:settings:seed", "property:versions:silpose"} <= set(table.columns)
 
