@@ -105,7 +105,10 @@ def opened(recording: str | Path) -> Iterator[ViewerClient]:
     os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
     port = free_port()
     try:
-        process = start("--headless", port=port, remedy="try again", settle=_SETTLE)
+        # Expecting data, it does not paint over them that it listens.
+        process = start(
+            *("--headless", "--expect-data-soon"), port=port, remedy="try again", settle=_SETTLE
+        )
     except InputError as error:
         raise InputError(
             f"{error}; to paint, it wants a Vulkan driver (Debian: mesa-vulkan-drivers)"
@@ -113,7 +116,6 @@ def opened(recording: str | Path) -> Iterator[ViewerClient]:
     try:
         viewer = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
         viewer.open(str(Path(recording).absolute()))
-        viewer.set_time("frame", sequence=0, play_state="paused")
         viewer.take_screenshot()  # waits until everything is loaded
         time.sleep(_PAINTED)
         yield viewer
@@ -130,8 +132,11 @@ def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]
         if view is not None:
             options["view_id"] = _view(viewer.get_state().views, view)
 
+        timed = any("frame" in chunk.timeline_names for chunk in reader(recording).stream())
+
         def shoot(frame: int) -> bytes:
-            viewer.set_time("frame", sequence=frame, play_state="paused")
+            if timed:
+                viewer.set_time("frame", sequence=frame, play_state="paused")
             return bytes(viewer.take_screenshot(**options))
 
         yield shoot
