@@ -34,7 +34,7 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
         send_properties=False,  # which would be the time of day
     )
     with writing(header.file) as path:
-        live = connect(recording, header)
+        live = connect(recording, header, layout)
         recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
         recording.set_log_time_enabled(False)  # the same run gives the same recording
         recording.send_recording_name(header.name)
