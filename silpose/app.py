@@ -77,7 +77,8 @@ def run_experiment(settings: DictConfig) -> None:
     """Build the rooms, run the experiment in a folder of its own, and say what came out."""
     # Heavy imports wait until there is something to do: --help answers at once.
     from silpose.experiments import EXPERIMENTS
-    from silpose.run import Run, load_run
+    from silpose.finished import load_run
+    from silpose.run import Run
     from silpose.summary import summarise
 
     rooms = furnish(settings)

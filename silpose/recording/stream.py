@@ -11,10 +11,10 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
-from silpose.files import writing
 from silpose.recording.header import Header
 from silpose.recording.live import connect
 from silpose.recording.log import log_text
+from silpose.writing import writing
 
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
 
