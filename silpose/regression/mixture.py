@@ -239,7 +239,11 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         """
         density, psi = self._density, self._psi(z)
         means = density.means(psi) * self.scale_ + self.mean_
-        return density.log_weights(psi), means, density.variances() * self.scale_**2
+        return density.log_weights(psi), means, self.variances()
+
+    def variances(self) -> Array:
+        """Diagonals of Λ_k, and the variance of anything, shape (K + 1, D)."""
+        return self._density.variances() * self.scale_**2
 
     def sample(self, z: ArrayLike, count: int = 1, seed: int | None = None) -> Array:
         """Draw outputs from p(x|z), shape (n, count, D)."""
