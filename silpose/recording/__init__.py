@@ -3,7 +3,7 @@
 from silpose.recording.codebook_picture import codebook_picture
 from silpose.recording.compare import compare
 from silpose.recording.context_space import ContextSpace, record_context_space
-from silpose.recording.modes import record_modes
+from silpose.recording.modes import record_hypotheses, record_modes
 from silpose.recording.notebook import show
 from silpose.recording.picture import film, picture
 from silpose.recording.read import read_poses
@@ -27,6 +27,7 @@ __all__ = [
     "record_context_space",
     "record_extinction",
     "record_features",
+    "record_hypotheses",
     "record_modes",
     "record_prediction",
     "record_single_image",
