@@ -191,6 +191,7 @@ def furnish(settings: DictConfig) -> Rooms:
     from silpose.silhouette import Body, Camera, Degradation
     from silpose.tracking import (
         DynamicsSettings,
+        HypothesesSettings,
         JointSettings,
         RivalSettings,
         TrackerSettings,
@@ -216,6 +217,7 @@ def furnish(settings: DictConfig) -> Rooms:
         "tracker": TrackerSettings,
         "dynamics": DynamicsSettings,
         "joint": JointSettings,
+        "hypotheses": HypothesesSettings,
         "rivals": RivalSettings,
     }
     sources = {"walker": WalkerTakes, "folder": MotionFolder}

@@ -28,6 +28,8 @@ HEADLINES: Mapping[str, tuple[str, str]] = {
     "widest_error": ("worst widths", "{:.2f}"),
     "locked_on": ("starts that lock on", "{:.0%}"),
     "within_20deg": ("heading within 20°", "{:.0%}"),
+    "back_after_blank": ("back after blank masks", "{:.0%}"),
+    "back_after_cut": ("after a cut", "{:.0%}"),
     "whole_error": ("whole", "{:.2f}"),
     "gain_lost": ("gain lost", "{:.0%}"),
     "rank_correlation": ("rank correlation", "{:.2f}"),

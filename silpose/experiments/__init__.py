@@ -11,6 +11,7 @@ from silpose.experiments.descriptor_robustness import descriptor_robustness
 from silpose.experiments.descriptor_space import descriptor_space
 from silpose.experiments.extinction import extinction
 from silpose.experiments.feature_selection import feature_selection
+from silpose.experiments.hypotheses import hypotheses
 from silpose.experiments.initialisation import initialisation
 from silpose.experiments.kernel_widths import kernel_widths
 from silpose.experiments.lookalikes import lookalikes
@@ -32,7 +33,7 @@ EXPERIMENTS: dict[str, Callable[..., None]] = {
         *(descriptor_space, similarity, descriptor_robustness, descriptor_choices),
         *(bridges, parts, feature_selection, regressors),
         *(tracking, extinction, damping, kernel_widths, initialisation),
-        *(mixture, ambiguity),
+        *(mixture, ambiguity, hypotheses),
     )
 }
 

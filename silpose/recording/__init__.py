@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from silpose.recording.comparison import compare
     from silpose.recording.context_space import ContextSpace
     from silpose.recording.header import Header
-    from silpose.recording.modes import record_modes
+    from silpose.recording.modes import record_hypotheses, record_modes
     from silpose.recording.notebook import show
     from silpose.recording.pictures import film, picture
     from silpose.recording.read import Tracks, read_poses, read_tracks
@@ -35,7 +35,7 @@ _HOMES = {
     "comparison": ("compare",),
     "context_space": ("ContextSpace",),
     "header": ("Header",),
-    "modes": ("record_modes",),
+    "modes": ("record_hypotheses", "record_modes"),
     "notebook": ("show",),
     "pictures": ("film", "picture"),
     "read": ("Tracks", "read_poses", "read_tracks"),
@@ -90,6 +90,7 @@ __all__ = [
     "record_context_space",
     "record_extinction",
     "record_features",
+    "record_hypotheses",
     "record_modes",
     "record_prediction",
     "record_single_image",

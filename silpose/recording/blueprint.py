@@ -135,6 +135,46 @@ def modes(
     return layout([mask, answered, texts_view()], [1, 2, 1], frames_per_second)
 
 
+def hypotheses(count: int, frames_per_second: float, masks: bool) -> rrb.Blueprint:
+    """Lay out what a silhouette says by itself beside what a tracker has made of all so far."""
+    seen, held = (
+        [f"{root}/{k + 1}" for k in range(count)] for root in (entities.MODES, entities.HYPOTHESES)
+    )
+    bodies = rrb.Horizontal(
+        *(
+            bodies_view(
+                title,
+                [entities.TRUE_SKELETON, *(f"{mode}/skeleton" for mode in modes)],
+                FROM_THE_SIDE,
+            )
+            for title, modes in (
+                ("this silhouette alone: mixture (true pose blue)", seen),
+                ("with its past: hypotheses (true pose blue)", held),
+            )
+        )
+    )
+    headings = [
+        entities.TRUE_HEADING,
+        f"{seen[0]}/heading",
+        f"{entities.TRACKS}/hypotheses/heading",
+    ]
+    weights = rrb.Horizontal(
+        series_view("probability: mixture", [f"{mode}/weight" for mode in seen], (0.0, 1.0)),
+        series_view("probability: hypotheses", [f"{mode}/weight" for mode in held], (0.0, 1.0)),
+    )
+    answered = rrb.Vertical(
+        bodies,
+        weights,
+        rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
+        series_view("heading, degrees: true, mode 1 of the mixture, tracker", headings),
+        row_shares=[3, 0.9, 0.5, 1.1],
+    )
+    if not masks:
+        return layout([answered, texts_view()], [2.6, 1], frames_per_second)
+    told = rrb.Vertical(mask_view("silhouette"), texts_view(), row_shares=[1, 1.6])
+    return layout([told, answered], [1, 2.8], frames_per_second)
+
+
 def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
     """Lay out kernels that stop firing, and what becomes of the track."""
     kernels = [

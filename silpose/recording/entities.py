@@ -38,6 +38,7 @@ MODES = "/regression/modes"  # below it a skeleton, a heading, a pose and a weig
 
 TRACKS = "/tracking/tracks"  # below it a skeleton, a heading, a pose per method
 TRACK_NAMES = "/tracking/names"
+HYPOTHESES = "/tracking/hypotheses"  # below it likewise, per mode of a tracker's hypotheses
 BELIEF = "/tracking/belief"
 STATE = "/tracking/state"
 KERNELS = "/tracking/kernels"  # one entity below it per tracker

@@ -13,6 +13,7 @@ from silpose.recording.header import Header
 from silpose.recording.log import Track
 from silpose.recording.stream import recording_stream
 from silpose.recording.truth import Truth
+from silpose.tracking import ManyTracks
 
 Array = NDArray[np.float64]
 
@@ -56,18 +57,70 @@ def record_modes(
         )
         track.poses(entities.TRUE_POSE, truth.poses, space)
         track.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
-        for k in range(count):
-            entity = f"{entities.MODES}/{k + 1}"
-            colour = palette.hue(k, count)
-            track.poses(f"{entity}/pose", means[:, k], space)
-            track.series(f"{entity}/weight", weights[:, k], f"mode {k + 1}", colour)
-            heading = np.where(weights[:, k] >= _LEAST, space.heading(means[:, k]), np.nan)
-            track.series(f"{entity}/heading", heading, f"mode {k + 1}", colour, 1.0)
-            joints = space.joints(means[:, k]) + truth.root[:, None]
-            _translucent(track, f"{entity}/skeleton", joints, weights[:, k], space, colour)
+        _modes(track, entities.MODES, weights, means, truth.root, space)
         for k, (method, errors) in enumerate(truth.errors.items()):
             colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
             track.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+
+
+def record_hypotheses(
+    header: Header,
+    take: Take,
+    truth: Truth,
+    seen: tuple[Array, Array],
+    tracks: ManyTracks,
+    space: PoseSpace,
+) -> None:
+    """Write what each silhouette says by itself, and what a tracker makes of them over time.
+
+    Parameters
+    ----------
+    header : Header
+    take : Sequence
+        What was tracked.
+    truth : Truth
+    seen : tuple of ndarray, shapes (F, k) and (F, k, D)
+        Weights and means of the mixture's modes; NaN where there was nothing to see.
+    tracks : ManyTracks
+    space : PoseSpace
+    """
+    layout = blueprint.hypotheses(seen[0].shape[1], take.frames_per_second, take.masks is not None)
+    with recording_stream(header, layout) as recording:
+        lines = Track(recording, len(take), take.frames_per_second)
+        if take.masks is not None:
+            lines.masks_alone(take.masks)
+        true = space.joints(truth.poses) + truth.root[:, None]
+        lines.skeleton(
+            entities.TRUE_SKELETON, true, space.bones, space.joint_names, palette.TRUE, 0.013
+        )
+        lines.poses(entities.TRUE_POSE, truth.poses, space)
+        lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
+        _modes(lines, entities.MODES, *seen, truth.root, space)
+        _modes(lines, entities.HYPOTHESES, tracks.weights, tracks.means, truth.root, space)
+        entity = f"{entities.TRACKS}/hypotheses"
+        lines.poses(f"{entity}/pose", tracks.x, space)
+        lines.series(
+            f"{entity}/heading", space.heading(tracks.x), "tracker", palette.ESTIMATED, 2.0
+        )
+        lines.states(entities.STATE, tracks.state, palette.STATES)
+        for method, errors in truth.errors.items():
+            colour = palette.METHODS.get(method, palette.NEUTRAL)
+            lines.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+
+
+def _modes(
+    track: Track, root: str, weights: Array, means: Array, place: Array, space: PoseSpace
+) -> None:
+    """Log a weight, a heading and a skeleton for each mode, the most probable first."""
+    count = weights.shape[1]
+    for k in range(count):
+        colour = palette.hue(k, count)
+        track.poses(f"{root}/{k + 1}/pose", means[:, k], space)
+        track.series(f"{root}/{k + 1}/weight", weights[:, k], f"mode {k + 1}", colour)
+        heading = np.where(weights[:, k] >= _LEAST, space.heading(means[:, k]), np.nan)
+        track.series(f"{root}/{k + 1}/heading", heading, f"mode {k + 1}", colour, 1.0)
+        joints = space.joints(means[:, k]) + place[:, None]
+        _translucent(track, f"{root}/{k + 1}/skeleton", joints, weights[:, k], space, colour)
 
 
 def _translucent(

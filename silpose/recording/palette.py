@@ -21,6 +21,8 @@ METHODS: dict[str, Colour] = {
     "joint": (225, 205, 90),
     "tracker": ESTIMATED,
     "tracker_lag": (255, 200, 150),
+    "mixture_top1": (200, 120, 220),
+    "hypotheses": ESTIMATED,
 }
 
 STATES: dict[str, Colour] = {

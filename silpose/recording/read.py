@@ -23,6 +23,7 @@ _POSES = (
     (entities.ESTIMATED_POSE, "estimated"),
     (f"{entities.TRACKS}/([^/]+)/pose", "{1}"),
     (f"{entities.MODES}/([^/]+)/pose", "mode_{1}"),
+    (f"{entities.HYPOTHESES}/([^/]+)/pose", "hypothesis_{1}"),
 )
 
 

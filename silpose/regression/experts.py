@@ -16,6 +16,7 @@ from silpose.regression.normal_equations import solve_damped
 
 Array = NDArray[np.float64]
 
+_STRENGTH = 5.0  # examples that the typical variances are worth
 _IGNORED = 1e-6  # responsibility below which an example is left out of a component
 
 
@@ -40,6 +41,20 @@ class Prior:
     noise: Array
     damping: float
     floor: float
+
+    @classmethod
+    def typical(
+        cls, inputs: Array, poses: Array, labels: NDArray[np.intp], damping: float, floor: float
+    ) -> Prior:
+        """Take the variances within clusters ``labels (n,)``, from which EM starts."""
+        size = np.bincount(labels)[:, None]
+        spread, noise = np.zeros(inputs.shape[1]), np.zeros(poses.shape[1])
+        for values, variance in ((inputs, spread), (poses, noise)):
+            sums = np.zeros((len(size), values.shape[1]))
+            np.add.at(sums, labels, values)
+            variance += ((values - (sums / size)[labels]) ** 2).mean(axis=0)
+        spread = np.maximum(spread, 1e-3 * np.maximum(inputs.var(axis=0), 1e-9))
+        return cls(_STRENGTH, spread, np.maximum(noise, floor**2), damping, floor)
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,6 @@ output say that one silhouette means several poses, and EM.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import logsumexp
@@ -17,6 +15,7 @@ from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.errors import InputError
+from silpose.regression.density import ConditionalDensity
 from silpose.regression.experts import Prior, expectation_maximisation
 from silpose.regression.local_clusters import local_clusters
 from silpose.regression.modes import distinct_modes, sharpened
@@ -24,9 +23,7 @@ from silpose.regression.reduction import PoseDirections
 
 Array = NDArray[np.float64]
 
-_BLOCK = 128  # inputs whose components are held at a time
 _MODES = 8  # among which weights are sharpened
-_STRENGTH = 5.0  # examples that the typical variances are worth
 _POSITIVE = (
     "clusters", "dimensions", "damping", "temperature", "noise_width", "floor", "agreement",
     "sharpness", "smallest", "max_iter",
@@ -152,11 +149,12 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         psi = self.reduction_.transform(inputs)
         labels = local_clusters(psi, compared, self.clusters, self.smallest, self.random_state)
         self.experts_, self.objective_, self.pruned_ = expectation_maximisation(
-            psi, poses, labels, self._prior(psi, poses, labels), 0.5 * self.smallest,
-            self.max_iter, self.tol,
+            psi, poses, labels, Prior.typical(psi, poses, labels, self.damping, self.floor),
+            0.5 * self.smallest, self.max_iter, self.tol,
         )  # fmt: skip
         self.n_iter_ = len(self.objective_)
-        self._anywhere(psi)
+        widest = self.experts_.spreads.max(axis=0)
+        self.anywhere_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
         return self
 
     def __sklearn_tags__(self) -> Tags:
@@ -180,23 +178,6 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         if self.hellinger and inputs.min() < 0:
             raise InputError("square roots need histograms: negative inputs want hellinger=False")
 
-    def _prior(self, psi: Array, poses: Array, labels: NDArray[np.intp]) -> Prior:
-        """Typical variances: those within the clusters that EM starts from."""
-        size = np.bincount(labels)[:, None]
-        spread, noise = np.zeros(psi.shape[1]), np.zeros(poses.shape[1])
-        for values, variance in ((psi, spread), (poses, noise)):
-            sums = np.zeros((len(size), values.shape[1]))
-            np.add.at(sums, labels, values)
-            variance += ((values - (sums / size)[labels]) ** 2).mean(axis=0)
-        spread = np.maximum(spread, 1e-3 * np.maximum(psi.var(axis=0), 1e-9))
-        noise = np.maximum(noise, self.floor**2)
-        return Prior(_STRENGTH, spread, noise, self.damping, self.floor)
-
-    def _anywhere(self, psi: Array) -> None:
-        """Learn the gate of the component that stands for none of the others."""
-        widest = self.experts_.spreads.max(axis=0)
-        self.anywhere_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
-
     @property
     def components_(self) -> int:
         """Number of components, K."""
@@ -204,11 +185,10 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
 
     def predict(self, X: ArrayLike) -> Array:
         """Estimate outputs, shape (n, D): the most probable mode, or the mean of the mixture."""
-        check_is_fitted(self)
         if self.answer == "mode":
             estimated = self.predict_modes(X, 1)[1][:, 0]
         else:
-            blocks = self._blocks(self._inputs(X))
+            blocks = self._density.blocks(self._psi(X))
             means = [np.einsum("nk,nkd->nd", np.exp(w), m) for w, m in blocks]
             estimated = np.concatenate(means) * self.scale_ + self.mean_
         return estimated[:, 0] if self._single else estimated
@@ -232,28 +212,43 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         """
         if k < 1:
             raise InputError(f"at least one mode is to be asked for, not {k}")
-        several = max(k, _MODES)
-        answer = self.experts_.noises, self.noise_width, several, self.agreement
+        density, several = self._density, max(k, _MODES)
+        answer = density.experts.noises, self.noise_width, several, self.agreement
         found = [
             (1 - np.exp(w[:, -1:]), *distinct_modes(_shares(w), m[:, :-1], *answer))
-            for w, m in self._blocks(self._inputs(z))
+            for w, m in density.blocks(self._psi(z))
         ]
         some, weights, means, variances = map(np.concatenate, zip(*found, strict=True))
         means, variances = means[:, :k], variances[:, :k]
         weights = some * sharpened(weights, self.sharpness)[:, :k]
         return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
+    def components(self, z: ArrayLike) -> tuple[Array, Array, Array]:
+        """Give every component by itself, and last the one that stands for none of them.
+
+        Parameters
+        ----------
+        z : array-like, shape (n, d)
+
+        Returns
+        -------
+        log_weights : ndarray, shape (n, K + 1)
+            log π_k(z).
+        means : ndarray, shape (n, K + 1, D)
+        variances : ndarray, shape (K + 1, D)
+        """
+        density, psi = self._density, self._psi(z)
+        means = density.means(psi) * self.scale_ + self.mean_
+        return density.log_weights(psi), means, self.variances()
+
+    def variances(self) -> Array:
+        """Diagonals of Λ_k, and the variance of anything, shape (K + 1, D)."""
+        return self._density.variances() * self.scale_**2
+
     def sample(self, z: ArrayLike, count: int = 1, seed: int | None = None) -> Array:
         """Draw outputs from p(x|z), shape (n, count, D)."""
-        random = np.random.default_rng(seed)
-        drawn = []
-        for log_weights, means in self._blocks(self._inputs(z)):
-            order = np.cumsum(np.exp(log_weights), axis=1)[:, None]
-            which = (random.random((len(means), count, 1)) * order[..., -1:] > order).sum(axis=-1)
-            noises = self._noises()[which]
-            centre = np.take_along_axis(means, which[..., None], axis=1)
-            drawn.append(centre + np.sqrt(noises) * random.standard_normal(centre.shape))
-        return np.concatenate(drawn) * self.scale_ + self.mean_
+        drawn = self._density.sample(self._psi(z), count, np.random.default_rng(seed))
+        return drawn * self.scale_ + self.mean_
 
     def log_likelihoods(self, z: ArrayLike, x: ArrayLike) -> Array:
         """Log p(x|z) of each example, shape (n,).
@@ -261,44 +256,20 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         Outputs are on the scale of their standard deviations in training, and those that are
         constant there are left out.
         """
-        x = np.asarray(x, dtype=float)
+        density, x = self._density, np.asarray(x, dtype=float)
         poses = (x.reshape(len(x), -1) - self.mean_) / self.scale_
-        varies, noises = self.varies_, self._noises()[:, self.varies_]
-        constant = np.log(2 * np.pi * noises).sum(axis=1)
-        found, start = [], 0
-        for log_weights, means in self._blocks(self._inputs(z)):
-            true = poses[start : start + len(means), None, varies]
-            off = ((true - means[..., varies]) ** 2 / noises).sum(axis=-1)
-            found.append(logsumexp(log_weights - 0.5 * (off + constant), axis=1))
-            start += len(means)
-        return np.concatenate(found)
+        return density.log_likelihoods(self._psi(z), poses, self.varies_)
 
-    def _log_weights(self, psi: Array) -> Array:
-        gates = self.experts_.log_gates(psi, self.temperature)
-        mean, variance = self.anywhere_
-        off = ((psi - mean) ** 2 / variance + np.log(2 * np.pi * variance)).sum(axis=1)
-        with np.errstate(divide="ignore"):
-            anywhere = np.log(self.doubt) - 0.5 * off / self.temperature
-        gates = np.column_stack([np.log1p(-self.doubt) + gates, anywhere])
-        return gates - logsumexp(gates, axis=1, keepdims=True)
-
-    def _noises(self) -> Array:
-        """Variances that answers have, of K components and of none: shape (K + 1, D)."""
-        own = np.maximum(self.noise_width * self.experts_.noises, self.floor**2)
-        return np.vstack([own, np.ones(own.shape[1])])
-
-    def _blocks(self, inputs: Array) -> Iterator[tuple[Array, Array]]:
-        """Log weights and means of K components and of none, for a few inputs at a time."""
-        psi = self.reduction_.transform(inputs)
-        for start in range(0, len(psi), _BLOCK):
-            some = psi[start : start + _BLOCK]
-            means = self.experts_.means(some)
-            anything = np.zeros_like(means[:, :1])  # the mean of all poses
-            yield self._log_weights(some), np.concatenate([means, anything], axis=1)
-
-    def _inputs(self, z: ArrayLike) -> Array:
+    @property
+    def _density(self) -> ConditionalDensity:
         check_is_fitted(self)
-        return validate_data(self, z, dtype=float, reset=False)
+        return ConditionalDensity(
+            self.experts_, self.anywhere_, self.temperature, self.noise_width, self.doubt,
+            self.floor,
+        )  # fmt: skip
+
+    def _psi(self, z: ArrayLike) -> Array:
+        return self.reduction_.transform(validate_data(self, z, dtype=float, reset=False))
 
     def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
         """Log-likelihood per example, of outputs at unit variance."""

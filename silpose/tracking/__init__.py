@@ -18,11 +18,14 @@ from silpose.tracking.choose import (
     choose_rivals,
     choose_tracker,
 )
+from silpose.tracking.choose_hypotheses import choose_hypotheses
 from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.tracking.multiple_hypothesis import ManyTracks, MultipleHypothesisTracker
 from silpose.tracking.point import PointTracker
 from silpose.tracking.selection import Selection
 from silpose.tracking.settings import (
     DynamicsSettings,
+    HypothesesSettings,
     JointSettings,
     RivalSettings,
     TrackerSettings,
@@ -33,7 +36,10 @@ from silpose.tracking.tracker import Track, Tracker
 
 __all__ = [
     "DynamicsSettings",
+    "HypothesesSettings",
     "JointSettings",
+    "ManyTracks",
+    "MultipleHypothesisTracker",
     "PointTracker",
     "RivalSettings",
     "SecondOrderDynamics",
@@ -44,6 +50,7 @@ __all__ = [
     "TrackerSettings",
     "TrackingSettings",
     "choose_dynamics",
+    "choose_hypotheses",
     "choose_joint",
     "choose_rivals",
     "choose_tracker",

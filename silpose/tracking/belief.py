@@ -77,17 +77,28 @@ class Filter:
             belief, _ = correct((predicted + self._prior) / 2, likelihood)
         norm = float(np.linalg.norm(belief @ self._headings))
         self.belief = belief
-        self._state = self._judge(lost or blank, norm)
+        self._state = next_state(self._state, lost or blank, norm)
         return belief, self._state
 
-    def _judge(self, lost: bool, norm: float) -> str:
-        if self._state == "starting":
-            return "tracking" if norm > SETTLED and not lost else "starting"
-        if lost or norm < DOUBTFUL:
-            return "lost"
-        if self._state == "lost":
-            return "recovered" if norm > SETTLED else "lost"
-        return "tracking"
+
+def next_state(state: str, lost: bool, heading_norm: float) -> str:
+    """Give the state of a track one frame later.
+
+    Parameters
+    ----------
+    state : str
+    lost : bool
+        Whether what is seen, if anything, has nothing to do with what was expected.
+    heading_norm : float
+        Of the estimate.
+    """
+    if state == "starting":
+        return "tracking" if heading_norm > SETTLED and not lost else "starting"
+    if lost or heading_norm < DOUBTFUL:
+        return "lost"
+    if state == "lost":
+        return "recovered" if heading_norm > SETTLED else "lost"
+    return "tracking"
 
 
 def revise(beliefs: Array, likelihoods: Array, transitions: Array, lag: int) -> Array:

@@ -64,6 +64,21 @@ class JointSettings:
 
 
 @dataclass(frozen=True)
+class HypothesesSettings:
+    """Of `MultipleHypothesisTracker`."""
+
+    count: int = 200
+    drift: Values = field(default_factory=lambda: [0.1, 0.3])
+    trust: Values = field(default_factory=lambda: [0.03, 0.05, 0.1])
+    past: Values = field(default_factory=lambda: [0.5, 0.7, 0.85])
+    fresh: float = 0.01
+    random_state: int = 0
+
+    def __post_init__(self) -> None:
+        _check(self, "hypotheses", "count", "drift", "trust", "past", "fresh")
+
+
+@dataclass(frozen=True)
 class RivalSettings:
     """Of what else makes estimates smooth; windows in frames."""
 
@@ -84,4 +99,5 @@ class TrackingSettings:
     tracker: TrackerSettings = field(default_factory=TrackerSettings)
     dynamics: DynamicsSettings = field(default_factory=DynamicsSettings)
     joint: JointSettings = field(default_factory=JointSettings)
+    hypotheses: HypothesesSettings = field(default_factory=HypothesesSettings)
     rivals: RivalSettings = field(default_factory=RivalSettings)

@@ -22,6 +22,7 @@ from sklearn.utils.validation import check_is_fitted
 from silpose.errors import InputError
 from silpose.pose import SPACES, PoseSpace
 from silpose.tracking.belief import Filter, reversed_time, revise
+from silpose.tracking.frame_rate import check_rate
 from silpose.tracking.key_poses import Examples, KeyPoses, squared_distances
 
 Array = NDArray[np.float64]
@@ -171,12 +172,7 @@ class Tracker(BaseEstimator):
         track : Track
         """
         check_is_fitted(self)
-        rate = self.frames_per_second if frames_per_second is None else frames_per_second
-        if abs(rate / self.frames_per_second - 1) > 0.02:
-            raise InputError(
-                f"this tracker was trained at {self.frames_per_second:g} frames per second and "
-                f"cannot follow {rate:g}: resample the sequence, or train at its rate"
-            )
+        check_rate(self.frames_per_second, frames_per_second)
         seen = self._whitened(z)[:: -1 if backwards else 1]
         transitions = self.transitions_
         if backwards:

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from silpose.evaluation import heading_errors
 from silpose.experiments.ambiguity import kinds_of
+from silpose.experiments.failures import Trial, cuts
 from silpose.experiments.mixture import reliability_of
 from silpose.pose import ANGLES
 from silpose.skeleton import ANGLES as NAMES
@@ -15,6 +17,13 @@ FAST = (
     "regression.mixture.temperature=8",
     "regression.mixture.noise_width=2",
     "regression.mixture.sharpness=[1,2]",
+)
+
+JOINT = (
+    "tracking.tracker.pose_width=0.4",
+    "tracking.tracker.descriptor_width=1",
+    "tracking.dynamics.damping=10",
+    "tracking.hypotheses.past=0.7",
 )
 
 
@@ -53,6 +62,46 @@ def test_on_the_authors_data_the_mixture_reaches_what_is_claimed(study, shared_m
     said = {m: v["log_likelihood"] for m, v in metrics.items() if "log_likelihood" in v}
     assert max(said, key=said.get) == "mixture_top1"
     assert metrics["mixture_top1"]["calibration_error"] < 0.1
+
+
+def test_hypotheses_are_tracked_through_failures(study):
+    metrics, rows = study(
+        *("hypotheses", *FAST, *JOINT, "motion.test_seconds=7", "trials=3", "blank_frames=10"),
+        *("tracking.hypotheses.trust=0.05", "tracking.hypotheses.drift=0.3"),
+    )
+    error = {
+        m: v["mean_angular_error_deg"]
+        for m, v in metrics.items()
+        if "heading" not in m and m != "tracker"
+    }
+    assert error["hypotheses"] < error["mean_pose"]
+    assert {"back_after_blank", "back_after_cut"} <= set(metrics["hypotheses"]) & set(
+        metrics["tracker"]
+    )
+    assert sum(row["method"] == "hypotheses" and row["failure"] == "cut" for row in rows) == 3
+
+
+def circle(frames):
+    angles = np.zeros((frames, 54))
+    angles[:, 0] = np.arange(frames) * 6.0 % 360 - 180
+    return ANGLES.from_angles(angles)
+
+
+def test_a_blank_ends_where_the_track_is_back():
+    x = circle(120)
+    trial = Trial.blank(x, x, at=60, frames=20, rate=15)
+    assert np.isnan(trial.z).any(axis=1).sum() == 20 and np.isfinite(trial.z[trial.end :]).all()
+    late = np.where((np.arange(len(trial.x)) < trial.end + 6)[:, None], x[:1], trial.x)
+    assert trial.seconds(ANGLES, lambda z: late, 15) == pytest.approx(0.4)
+    assert trial.seconds(ANGLES, lambda z: np.roll(trial.x, 10, axis=0), 15) == np.inf
+
+
+def test_cuts_lead_elsewhere():
+    one, other = circle(100), circle(100)[::-1]
+    for trial in cuts([(one, one), (other, other)], 10, 15, seed=0):
+        assert len(trial.x) == trial.end + 30
+    for trial in cuts([(one, one)], 10, 15, seed=0):
+        assert heading_errors(ANGLES, trial.x[trial.end - 1 :][:1], trial.x[trial.end :][:1]) > 10
 
 
 def walker(heading, left, right):

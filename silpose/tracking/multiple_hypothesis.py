@@ -1,0 +1,233 @@
+"""The multiple hypothesis tracker of section VI.
+
+Our copy of the paper breaks off before its description; this is one in its spirit, a particle
+filter (M. Isard, A. Blake, "CONDENSATION", IJCV 1998) that draws where the mixture points. A
+hypothesis is a pose with its past. Dynamics (Eq. 8) predict where it goes; each component of
+p(x|z) (Eq. 11) offers a correction, as probable as its gate and its distance from the prediction
+say. Of all pairs of hypothesis and component, and of the components alone, which begin hypotheses
+afresh, some are drawn: these are the next hypotheses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator, clone
+from sklearn.utils.validation import check_is_fitted
+
+from silpose.errors import InputError
+from silpose.regression import MixtureOfRegressors
+from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.tracking.frame_rate import check_rate
+from silpose.tracking.hypotheses import Components
+from silpose.tracking.hypothesis_filter import MODES, Expectations, HypothesisFilter
+
+Array = NDArray[np.float64]
+Examples = Sequence[tuple[Array, Array]]
+
+
+@dataclass(frozen=True)
+class ManyTracks:
+    """A sequence's estimates, several for each frame.
+
+    Attributes
+    ----------
+    x : ndarray, shape (F, D)
+        The most probable mode.
+    state : list of str
+        One of `belief.STATES` for each frame.
+    weights : ndarray, shape (F, k)
+        Of the hypotheses' modes, the most probable first; 0 where there are less.
+    means : ndarray, shape (F, k, D)
+    """
+
+    x: Array
+    state: list[str]
+    weights: Array
+    means: Array
+
+
+class MultipleHypothesisTracker(BaseEstimator):
+    """Tracks a person through descriptors, on several paths until one proves right.
+
+    Parameters
+    ----------
+    mixture : MixtureOfRegressors, optional
+    dynamics : SecondOrderDynamics, optional
+    count : int
+        Draws, and so hypotheses at most.
+    drift : float
+        Variance of a prediction beyond that of the dynamics, in typical variances of the
+        mixture's answers: what one predicts from is an estimate itself.
+    trust : float
+        Exponent of likelihoods.
+    past : float
+        Share of a correction that the pose before takes too, so that velocity changes less.
+    fresh : float
+        Probability, before anything is seen, that a hypothesis begins afresh.
+    surprise : float
+        Log of how many times likelier than by any hypothesis what is seen has to be by none of
+        them, for the track to count as lost. Then `fresh` is one half.
+    frames_per_second : float
+        Of the training sequences, and of what is tracked.
+    random_state : int
+
+    Attributes
+    ----------
+    mixture_, dynamics_
+        Fitted.
+    noise_ : ndarray, shape (D,)
+        Variance of a prediction, the diagonal of Q.
+    """
+
+    def __init__(
+        self,
+        mixture: MixtureOfRegressors | None = None,
+        dynamics: SecondOrderDynamics | None = None,
+        count: int = 200,
+        drift: float = 0.3,
+        trust: float = 0.05,
+        past: float = 0.7,
+        fresh: float = 0.01,
+        surprise: float = 1.0,
+        frames_per_second: float = 15.0,
+        random_state: int = 0,
+    ) -> None:
+        self.mixture = mixture
+        self.dynamics = dynamics
+        self.count = count
+        self.drift = drift
+        self.trust = trust
+        self.past = past
+        self.fresh = fresh
+        self.surprise = surprise
+        self.frames_per_second = frames_per_second
+        self.random_state = random_state
+
+    def fit(self, sequences: Examples, y: object = None) -> MultipleHypothesisTracker:
+        """Learn the mixture and the dynamics.
+
+        Parameters
+        ----------
+        sequences : sequence of (z, x)
+            Descriptors (F, d) and poses (F, D) of each training take.
+        """
+        z, x = (np.concatenate(part) for part in zip(*sequences, strict=True))
+        takes = [own for _, own in sequences]
+        mixture = clone(self.mixture or MixtureOfRegressors()).fit(z, x)
+        dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(takes)
+        return self.take(mixture, dynamics, takes)
+
+    def take(
+        self, mixture: MixtureOfRegressors, dynamics: SecondOrderDynamics, poses: Sequence[Array]
+    ) -> MultipleHypothesisTracker:
+        """Use what was fitted already, to takes of these poses, each (F, D)."""
+        for name in ("count", "drift", "trust"):
+            if not getattr(self, name) > 0:
+                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
+        if not 0 <= self.past < 1:
+            raise InputError(f"past is a share below 1, not {self.past}")
+        if not 0 < self.fresh < 1:
+            raise InputError(f"fresh is a probability between 0 and 1, not {self.fresh}")
+        self.mixture_, self.dynamics_ = mixture, dynamics
+        every = np.concatenate(poses)
+        off = [x[2:] - dynamics.predict(x[1:-1], x[:-2]) for x in poses if len(x) > 2]
+        typical = mixture.variances()[:-1].mean(axis=0)
+        self.noise_ = np.concatenate(off).var(axis=0) + self.drift * typical
+        self._expected = Expectations(
+            dynamics, every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9), self.noise_, typical,
+            self.count, self.trust, self.past, self.fresh, self.surprise,
+        )  # fmt: skip
+        return self.start()
+
+    def track(
+        self,
+        z: ArrayLike,
+        initial: ArrayLike | None = None,
+        lag: int = 0,
+        modes: int = 4,
+        frames_per_second: float | None = None,
+    ) -> ManyTracks:
+        """Track a sequence.
+
+        Parameters
+        ----------
+        z : array-like, shape (F, d)
+            Descriptors; a row of NaN where there was nothing to see.
+        initial : array-like, shape (P, D), optional
+            Poses of the first frames, known beforehand; without, the mixture tells.
+        lag : int
+            How many later frames each estimate may wait for.
+        modes : int
+            How many to give for each frame.
+        frames_per_second : float, optional
+            Of the sequence, if known: refused if it is not the training sequences'.
+
+        Returns
+        -------
+        tracks : ManyTracks
+        """
+        check_rate(self.frames_per_second, frames_per_second)
+        z = np.asarray(z, dtype=float)
+        if z.ndim != 2 or len(z) == 0:
+            raise InputError(f"descriptors have shape {z.shape}: expected (frames, columns)")
+        if not 1 <= modes <= MODES:
+            raise InputError(f"1 to {MODES} modes can be asked for, not {modes}")
+        lag = min(lag, len(z) - 1)
+        given = np.atleast_2d(np.asarray([] if initial is None else initial, dtype=float))
+        now, later, states, several = [], [], [], []
+        self.start(lag=lag)
+        for frame, row in enumerate(z):
+            if frame < len(given) and given.size:
+                self._run.know(given[: frame + 1])
+            else:
+                self.step(row)
+            now.append(self._run.estimate())
+            later.append(self._run.estimate(lag))
+            states.append(self._run.state)
+            several.append([values[:modes] for values in self._run.modes])
+        later += [self._run.estimate(back) for back in reversed(range(lag))]
+        revised = np.array(later[lag:])
+        weights, means = map(np.array, zip(*several, strict=True))
+        return ManyTracks(np.where(np.isnan(revised), now, revised), states, weights, means)
+
+    def start(self, initial: ArrayLike | None = None, lag: int = 0) -> MultipleHypothesisTracker:
+        """Forget what `step` has seen.
+
+        Parameters
+        ----------
+        initial : array-like, shape (P, D), optional
+            Poses of the frames before the next.
+        lag : int
+            How many frames back `estimate` will be asked for.
+        """
+        check_is_fitted(self)
+        self._run = HypothesisFilter(self._expected, max(lag + 1, 2), self.random_state)
+        if initial is not None:
+            self._run.know(np.atleast_2d(np.asarray(initial, dtype=float)))
+        return self
+
+    def step(self, z: ArrayLike) -> tuple[Array, str]:
+        """Track one frame more: its pose (D,) and state, from its descriptor (d,)."""
+        check_is_fitted(self)
+        z = np.asarray(z, dtype=float)
+        self._run.step(self._components(z) if np.isfinite(z).all() else None)
+        return self._run.estimate(), self._run.state
+
+    def modes(self, k: int) -> tuple[Array, Array]:
+        """Give up to 8 modes of the hypotheses after a step: weights (k,) and poses (k, D).
+
+        The most probable comes first; the weight is 0 where there are less than k.
+        """
+        weights, means = self._run.modes
+        return weights[:k], means[:k]
+
+    def _components(self, z: Array) -> Components:
+        log_weights, means, variances = self.mixture_.components(z[None])
+        # What is expected comes from the past. That a component's poses are frequent as such,
+        # which its share says, is not to count as well.
+        shares = self.mixture_.experts_.log_shares
+        return Components(log_weights[0] - np.append(shares, shares.mean()), means[0], variances)

@@ -1,0 +1,145 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from silpose.errors import InputError
+from silpose.pose import ANGLES
+from silpose.regression import MixtureOfRegressors
+from silpose.tracking import MultipleHypothesisTracker
+from silpose.tracking.belief import STATES
+from silpose.tracking.hypotheses import Components, resampled
+
+
+def heading_off(x, estimated):
+    return np.abs((ANGLES.heading(x) - ANGLES.heading(estimated) + 180) % 360 - 180)
+
+
+@pytest.fixture(scope="module")
+def tracker(takes):
+    mixture = MixtureOfRegressors(60, 30, temperature=4, hellinger=True, units=ANGLES.units)
+    return MultipleHypothesisTracker(mixture, trust=0.1).fit(takes)
+
+
+def test_chooses_between_explanations_better_than_a_single_image(tracker, unseen):
+    z, x = unseen
+    alone = ANGLES.distance(x, tracker.mixture_.predict(z)).mean()
+    assert ANGLES.distance(x, tracker.track(z).x).mean() < alone
+    assert ANGLES.distance(x, tracker.track(z, lag=5).x).mean() < 0.85 * alone
+
+
+def test_finds_its_start_by_itself(tracker, unseen):
+    z, x = unseen
+    given, found = tracker.track(z, initial=x[:2]), tracker.track(z)
+    assert given.x[:2] == pytest.approx(x[:2])
+    told = ANGLES.distance(x, given.x)[10:].mean()
+    assert ANGLES.distance(x, found.x)[10:].mean() < 1.1 * told
+
+
+def test_frame_by_frame_is_the_same_as_in_one_go(tracker, unseen):
+    z = unseen[0].copy()
+    z[40:44] = np.nan
+    track = tracker.track(z)
+    tracker.start()
+    steps = [tracker.step(row) for row in z]
+    assert np.array([x for x, _ in steps]) == pytest.approx(track.x)
+    assert [state for _, state in steps] == track.state
+
+
+def test_what_comes_later_revises_what_was_thought(tracker, unseen):
+    z, x = unseen
+    now, later = tracker.track(z), tracker.track(z, lag=5)
+    assert ANGLES.distance(x, later.x).mean() < ANGLES.distance(x, now.x).mean()
+    assert later.x[-1] == pytest.approx(now.x[-1])
+
+
+def test_modes_are_probabilities_of_poses(tracker, unseen):
+    track = tracker.track(unseen[0], modes=4)
+    assert track.weights.shape == (120, 4)
+    assert (np.diff(track.weights, axis=1) <= 1e-12).all()
+    assert (track.weights.sum(axis=1) <= 1 + 1e-9).all()
+    assert track.means.shape == (120, 4, 55)
+    assert track.weights[0, 1] > 0  # the first silhouette leaves more than one open
+
+
+def test_notices_a_cut_and_comes_back(tracker, unseen):
+    z, x = unseen
+    order = np.r_[0:40, 70:110]  # turned by half a circle at once
+    track = tracker.track(z[order])
+    assert "lost" in track.state[40:43]
+    assert np.median(heading_off(x[order], track.x)[45:]) < 20
+
+
+def test_comes_back_after_a_second_of_blank_masks(tracker, unseen):
+    z, x = unseen[0].copy(), unseen[1]
+    z[40:60] = np.nan
+    track = tracker.track(z)
+    assert track.state[40:60] == ["lost"] * 20
+    assert np.median(heading_off(x, track.x)[65:]) < 20
+
+
+def test_without_anything_to_see_it_does_not_begin(tracker):
+    track = tracker.track(np.full((5, 24), np.nan))
+    assert track.state == ["starting"] * 5
+    assert np.isfinite(track.x).all() and (track.weights == 0).all()
+
+
+def test_the_same_seed_gives_the_same_track(tracker, unseen):
+    assert (tracker.track(unseen[0]).x == tracker.track(unseen[0]).x).all()
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    st.integers(1, 12),
+    st.integers(0, 15),
+    st.sampled_from([0.0, 1e-12, 1.0, 1e6]),
+    st.floats(0, 1),
+    st.integers(0, 2**31 - 1),
+)
+def test_whatever_is_seen_the_track_is_finite(tracker, frames, lag, size, missing, seed):
+    rng = np.random.default_rng(seed)
+    z = size * rng.random((frames, 24))
+    z[rng.random(frames) < missing] = np.nan
+    track = tracker.track(z, lag=lag)
+    assert np.isfinite(track.x).all() and track.x.shape == (frames, 55)
+    assert set(track.state) <= set(STATES)
+
+
+def test_thousands_of_random_steps_leave_it_as_it_was(tracker):
+    rng = np.random.default_rng(0)
+    tracker.start()
+    for row in rng.random((1000, 24)):
+        x, _ = tracker.step(row)
+        assert np.isfinite(x).all()
+    assert tracker._run._hypotheses.paths.shape[1:] == (2, 55)
+    assert len(tracker._run._hypotheses.weights) <= tracker.count
+
+
+def test_resampling_is_as_often_as_weights_say():
+    drawn, weights = resampled(np.array([0.5, 0.0, 0.3, 0.2]), 1000, np.random.default_rng(0))
+    assert drawn.tolist() == [0, 2, 3]
+    assert weights == pytest.approx([0.5, 0.3, 0.2], abs=1e-3)
+
+
+def test_evidence_is_a_gaussian_of_both_variances():
+    seen = Components(np.log([0.25]), np.array([[1.0, 2.0]]), np.array([[0.5, 1.0]]))
+    found = seen.log_evidence(np.array([[0.0, 0.0]]), np.array([0.5, 3.0]), trust=0.1)
+    assert found[0, 0] == pytest.approx(np.log(0.25) - 0.05 * (1 + 1 + np.log(1) + np.log(4)))
+
+
+@pytest.mark.parametrize(
+    ("setting", "value"), [("count", 0), ("drift", 0), ("trust", -1), ("past", 1), ("fresh", 1)]
+)
+def test_settings_out_of_range_are_refused(takes, setting, value):
+    with pytest.raises(InputError, match=setting):
+        MultipleHypothesisTracker(**{setting: value}).fit(takes)
+
+
+def test_another_frame_rate_is_refused(tracker, unseen):
+    with pytest.raises(InputError, match=r"trained at 15 .* 60"):
+        tracker.track(unseen[0], frames_per_second=60)
+
+
+def test_more_modes_than_there_can_be_are_refused(tracker, unseen):
+    with pytest.raises(InputError, match="1 to 8 modes"):
+        tracker.track(unseen[0], modes=9)
