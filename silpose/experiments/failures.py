@@ -19,7 +19,7 @@ Follow = Callable[[Array], Array]
 BEFORE = 2.0  # seconds that are tracked before a failure,
 AFTER = 2.0  # and after it
 BACK_DEG = 20.0  # heading error within which a track is back,
-STEADY = 0.5  # for so many seconds on end
+STEADY = 0.2  # for so many seconds on end
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import logsumexp, softmax
 
 from silpose.regression.modes import distinct_modes
 from silpose.tracking.belief import next_state
@@ -117,10 +116,11 @@ class HypothesisFilter:
         noise = expected.noise * (1 + self._unseen)  # adds up while nothing is seen
         carried = seen.log_evidence(ahead, noise, expected.trust) + np.log(old.weights)[:, None]
         afresh = seen.log_evidence(expected.mean[None], expected.variance, expected.trust)
-        known = len(carried) > 0
-        lost = known and logsumexp(afresh) - logsumexp(carried) > expected.surprise
+        told, new = (np.logaddexp.reduce(part, axis=None) for part in (carried, afresh))
+        lost = len(carried) > 0 and new - told > expected.surprise
         share = _EVEN if lost else expected.fresh
-        probabilities = softmax(np.vstack([carried + np.log1p(-share), afresh + np.log(share)]))
+        evidence = np.vstack([carried + np.log1p(-share), afresh + np.log(share)])
+        probabilities = np.exp(evidence - evidence.max())
         drawn, weights = resampled(probabilities.ravel(), expected.count, self._random)
         which, component = np.divmod(drawn, len(seen.means))
         offered, goes_on = seen.means[component], which < len(ahead)

@@ -91,7 +91,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         drift: float = 0.3,
         trust: float = 0.05,
         past: float = 0.7,
-        fresh: float = 0.01,
+        fresh: float = 0.001,
         surprise: float = 1.0,
         frames_per_second: float = 15.0,
         random_state: int = 0,
@@ -186,7 +186,7 @@ class MultipleHypothesisTracker(BaseEstimator):
             else:
                 self.step(row)
             now.append(self._run.estimate())
-            later.append(self._run.estimate(lag))
+            later.append(self._run.estimate(lag) if lag else now[-1])
             states.append(self._run.state)
             several.append([values[:modes] for values in self._run.modes])
         later += [self._run.estimate(back) for back in reversed(range(lag))]

@@ -68,10 +68,10 @@ class HypothesesSettings:
     """Of `MultipleHypothesisTracker`."""
 
     count: int = 200
-    drift: Values = field(default_factory=lambda: [0.1, 0.3])
+    drift: Values = 0.3
     trust: Values = field(default_factory=lambda: [0.03, 0.05, 0.1])
     past: Values = field(default_factory=lambda: [0.5, 0.7, 0.85])
-    fresh: float = 0.01
+    fresh: float = 0.001
     random_state: int = 0
 
     def __post_init__(self) -> None:
