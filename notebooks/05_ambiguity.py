@@ -50,15 +50,15 @@ mixture, _ = choose_mixture(
     train, validation, rooms.candidates.mixture, space.units, space.distance
 )
 weights, modes, _ = mixture.predict_modes(z, 8)
-print(f"{mixture.components_} regressors; modes of one frame: {np.round(weights[0], 2)}")
+print(f"{mixture.components_} regressors; probabilities of one frame's modes: {np.round(weights[0], 2)}")
 
 # %% [markdown]
-# **3. Frames with several explanations:** those whose second mode is likeliest. Each mode is drawn as
-# the camera sees it, left limbs orange and right ones blue, the fainter the less probable.
+# **3. Frames with several explanations:** those whose second mode is likely, and far from the first.
+# Drawn as the camera sees them, left limbs orange and right ones blue.
 
 # %%
 doubtful = []
-for frame in np.argsort(-weights[:, 1]):
+for frame in np.argsort(-weights[:, 1] * space.distance(modes[:, 0], modes[:, 1])):
     if len(doubtful) < 4 and all(abs(frame - other) > 5 for other in doubtful):
         doubtful.append(frame)
 colours = {"left": "tab:orange", "right": "tab:blue"}
@@ -66,18 +66,20 @@ _, rows = plt.subplots(len(doubtful), 4, figsize=(10, 3 * len(doubtful)))
 for row, frame in zip(rows, doubtful, strict=True):
     row[0].imshow(test.masks[frame, 20:, 50:-50], cmap="gray_r")
     row[0].set_title(f"frame {frame}")
-    for k, axes in enumerate(row[1:]):
-        joints, weight = space.joints(modes[frame])[k], weights[frame, k]
-        for start, end in space.bones:
-            colour = colours.get(space.joint_names[end].split("_")[0], "gray")
-            axes.plot(*joints[[start, end], :2].T, color=colour, lw=3, alpha=min(1, 0.2 + weight))
-        axes.set(aspect="equal", title=f"{weight:.0%}, faces {space.heading(modes[frame, k]):.0f}°")
+    drawn = space.joints([*modes[frame, :2], x[frame]])
+    names = [f"{weight:.0%}" for weight in weights[frame, :2]]
+    for axes, joints, name in zip(row[1:], drawn, [*names, "true pose"], strict=True):
+        for bone in space.bones:
+            side = space.joint_names[bone[1]].split("_")[0]
+            axes.plot(*joints[list(bone), :2].T, color=colours.get(side, "gray"), lw=3)
+        axes.set(aspect="equal", title=name)
 for axes in rows.flat:
     axes.axis("off")
 plt.show()
 
 # %% [markdown]
-# **4. How probable are they,** over time? Two bands that are equally thick are two explanations.
+# **4. How probable are they,** over time? Two bands that are equally thick are two explanations; what
+# is missing to 1 is that none of them is right, since nothing like this silhouette trained.
 
 # %%
 plt.figure(figsize=(12, 3))
@@ -120,7 +122,7 @@ from pathlib import Path
 
 from silpose.recording import Header, Truth, record_modes, show
 
-best = {f"best of {k}": off[:, :k].min(axis=1) for k in (1, 4)}
+best = {"mixture_top1": off[:, 0], "mixture_best4": off[:, :4].min(axis=1)}
 truth = Truth.of(test, rooms.camera, best, space)
 header = Header("ambiguity", "notebook", Path("ambiguity.rrd"), f"walker {test.performer}")
 record_modes(header, test, truth, weights[:, :4], modes[:, :4], space)
