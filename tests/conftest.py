@@ -80,3 +80,22 @@ def shared_mocap():
             pytest.fail("the real motion capture is missing in CI")
         pytest.skip("the real motion capture is not on this machine")
     return folder
+
+
+@pytest.fixture
+def read_only(tmp_path, monkeypatch):
+    """A folder that nobody can write to, be it the superuser."""
+    folder = tmp_path / "read_only"
+    folder.mkdir()
+
+    def refusing(method):
+        def call(path, *given, **more):
+            if path.is_relative_to(folder):
+                raise PermissionError(13, "Permission denied", str(path))
+            return method(path, *given, **more)
+
+        return call
+
+    for name in ("touch", "mkdir"):
+        monkeypatch.setattr(Path, name, refusing(getattr(Path, name)))
+    return folder

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from silpose.app import main
+from silpose.recording.program import program
 
 
 @pytest.fixture
@@ -54,6 +55,14 @@ def test_a_sweep_gives_every_job_its_folder_and_recording(run, fast, tmp_path):
     assert len(set(ids)) == len(ids) == 2
 
 
+def test_the_same_seed_gives_the_same_recording(run, fast, finished, tmp_path):
+    status, _, _ = run(*fast, "recording.root=elsewhere", "recording.name=small")
+    assert status == 0
+    again = tmp_path / "elsewhere/single_image/small/run.rrd"
+    command = [program(), "rrd", "compare", "--unordered", finished.recording]
+    assert subprocess.run([*command, again], capture_output=True).returncode == 0
+
+
 def test_ones_own_masks_by_a_saved_model(run, finished, mask_folder, tmp_path):
     masks = ["experiment=predict", "silhouette=masks", f"silhouette.source={mask_folder}"]
     status, _, _ = run(*masks, f"model={finished.folder}", "silhouette.blank=nan")
@@ -94,6 +103,10 @@ WRONG = {
     "silhouette.degradation.strength=2": "strength is 0 to 1, not 2",
     "recording.root=file": "cannot write to 'file/single_image'",
     "recording.name=a/b": "name of one folder",
+    "recording=screen": "there is no recording=screen; there are file, none, viewer, web",
+    "recording.sinks=[fil]": "recording.sinks is a list of any of file, viewer, web, without 'fil'",
+    "recording.sinks=file": "'recording.sinks' is to be a list",
+    "recording.web_port=x": "'recording.web_port' is to be a whole number",
     "experiment=predict": "add silhouette=masks silhouette.source=FOLDER",
     "experiment=predict silhouette=masks silhouette.source=nowhere": "no folder 'nowhere'",
     "experiment=predict silhouette=masks silhouette.source=empty": "holds no masks",
@@ -123,6 +136,22 @@ def test_what_is_wrong_is_one_sentence_and_leaves_nothing(run, tmp_path, argumen
 def test_debug_shows_where_an_error_comes_from(run):
     with pytest.raises(Exception, match=r"motion\.root"):
         run("motion=bvh", "debug=true")
+
+
+def test_a_run_without_a_recording_does_not_load_rerun(fast, tmp_path):
+    code = (
+        "import sys; from silpose.app import run_experiment; from silpose.config import load;"
+        "run_experiment(load(sys.argv[1:])); print({'rerun', 'rerun_bindings'} & set(sys.modules))"
+    )
+    settings = [*fast, "recording=none", f"recording.root={tmp_path}", "recording.name=small"]
+    shown = subprocess.run(
+        [sys.executable, "-c", code, *settings], capture_output=True, text=True, check=True
+    )
+    assert shown.stdout.splitlines()[-1] == "set()"
+    assert "Open it" not in shown.stdout
+    folder = tmp_path / "single_image" / "small"
+    assert {"metrics.json", "model.npz"} <= {file.name for file in folder.iterdir()}
+    assert not list(folder.glob("*.rrd"))
 
 
 def test_help_and_import_do_not_wait_for_heavy_packages():

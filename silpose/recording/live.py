@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import sys
 import warnings
-from pathlib import Path
 
 import rerun as rr
 
 from silpose.errors import InputError
+from silpose.recording.header import Header
 from silpose.recording.program import HOST, go_on_serving, listening, serving, start, viewing
 from silpose.recording.sinks import Sinks
 
@@ -17,17 +17,17 @@ _ANSWER = 5.0  # seconds that a viewer may take to answer
 _SETTLE = 1.5  # seconds after which a viewer has found its screen
 
 
-def connect(recording: rr.RecordingStream, sinks: Sinks, file: Path) -> list[rr.GrpcSink]:
+def connect(recording: rr.RecordingStream, header: Header) -> list[rr.GrpcSink]:
     """Open the live sinks; one that cannot be had is one warning, and the file remains."""
     answering = []
     for kind, opened in (("viewer", _viewer), ("web", _web)):
-        if kind in sinks.kinds:
+        if kind in header.sinks.kinds:
             try:
-                url = f"rerun+http://{HOST}:{opened(sinks)}/proxy"
-                _check(recording, url)
+                url = f"rerun+http://{HOST}:{opened(header.sinks)}/proxy"
+                _check(recording, header.name, url)
                 answering.append(rr.GrpcSink(url))
             except InputError as error:
-                warnings.warn(f"no {kind}: {error}; '{file}' holds all", stacklevel=2)
+                warnings.warn(f"no {kind}: {error}; '{header.file}' holds all", stacklevel=2)
     return answering
 
 
@@ -60,11 +60,14 @@ def _web(sinks: Sinks) -> int:
     return data
 
 
-def _check(recording: rr.RecordingStream, url: str) -> None:
+def _check(recording: rr.RecordingStream, name: str, url: str) -> None:
     """Make sure that it is Rerun that answers."""
     try:
         recording.set_sinks(rr.GrpcSink(url))
+        recording.send_recording_name(name)  # something to be answered
         recording.flush(timeout_sec=_ANSWER)
     except RuntimeError as error:
         port = url.split(":")[2].split("/")[0]
-        raise InputError(f"what listens on port {port} is no viewer: choose another") from error
+        raise InputError(
+            f"what listens on port {port} is none: choose another recording.viewer_port"
+        ) from error

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 from urllib.parse import quote
@@ -17,8 +17,8 @@ body { font: 15px system-ui, sans-serif; margin: 2em auto; max-width: 70em; padd
        color: #ddd; background: #16181c; }
 a { color: #ff9632; } h2 { margin-top: 2em; } .dim { color: #888; }
 table { border-collapse: collapse; width: 100%; }
-th { text-align: right; font-weight: normal; color: #888; }
-td { text-align: right; border-top: 1px solid #333; padding: .4em .6em; }
+th { text-align: right; font-weight: normal; color: #888; padding: .4em .6em; }
+td { text-align: right; vertical-align: top; border-top: 1px solid #333; padding: .4em .6em; }
 th, td { font-variant-numeric: tabular-nums; }
 td.word, th.word { text-align: left; }
 img { height: 5em; border-radius: 4px; display: block; }
@@ -67,29 +67,47 @@ def _runs(root: Path) -> tuple[list[FinishedRun], list[Path]]:
 
 
 def _table(runs: Sequence[FinishedRun], root: Path, viewed: Callable[[str], str]) -> str:
-    """Write one row a run: the headlines of the method that it shows."""
-    titles, _ = headlines({f"{k}": _values(run) for k, run in enumerate(runs)})
-    words = ["", "run", "data", "method"]
-    head = "".join(f'<th class="word">{word}</th>' for word in words)
+    """Write one row a run: the headlines of the method that it shows, above the mean pose's."""
+    told = {f"{k} {m}": own for k, run in enumerate(runs) for m, own in _shown(run).items()}
+    titles, values = headlines(told)
+    by_name = {row[0]: row[1:] for row in values}
+    head = "".join(f'<th class="word">{word}</th>' for word in ("", "run", "data", "method"))
     head += "".join(f"<th>{escape(title)}</th>" for title in titles[1:])
     rows = []
-    for run in runs:
-        own, values = headlines({run.shown: _values(run)})
-        told = dict(zip(own, values[0], strict=True))
-        where = quote(run.folder.relative_to(root).as_posix())
-        name = escape(run.folder.name)
-        if run.recording.is_file():
-            name = f'<a href="{viewed(f"{where}/{run.recording.name}")}">{name}</a>'
-        figure = ""
-        if (run.folder / f"{run.experiment}.png").is_file():
-            source = f"{where}/{run.experiment}.png"
-            figure = f'<a href="{source}"><img src="{source}" alt="figure"></a>'
-        first = (figure, name, escape(run.dataset), escape(run.shown))
-        cells = "".join(f'<td class="word">{cell}</td>' for cell in first)
-        cells += "".join(f"<td>{escape(told.get(title, ''))}</td>" for title in titles[1:])
-        rows.append(f"<tr>{cells}</tr>")
+    for k, run in enumerate(runs):
+        methods = list(_shown(run))
+        words = (_figure(run, root), _link(run, root, viewed), escape(run.dataset), _above(methods))
+        numbers = map(_above, zip(*(by_name[f"{k} {m}"] for m in methods), strict=True))
+        cells = "".join(f'<td class="word">{word}</td>' for word in words)
+        rows.append(f"<tr>{cells}{''.join(f'<td>{n}</td>' for n in numbers)}</tr>")
     return f"<table><tr>{head}</tr>{''.join(rows)}</table>"
 
 
-def _values(run: FinishedRun) -> dict[str, float]:
-    return run.metrics.get(run.shown, {})
+def _shown(run: FinishedRun) -> dict[str, Mapping[str, float]]:
+    return {m: run.metrics[m] for m in (run.shown, "mean_pose") if m in run.metrics}
+
+
+def _above(words: Sequence[str]) -> str:
+    """Set the first word above the others, which are dim."""
+    first, *others = words or [""]
+    return escape(first) + "".join(
+        f'<br><span class="dim">{escape(word)}</span>' for word in others
+    )
+
+
+def _figure(run: FinishedRun, root: Path) -> str:
+    file = run.folder / f"{run.experiment}.png"
+    source = _below(root, file)
+    picture = f'<a href="{source}"><img src="{source}" alt="figure"></a>'
+    return picture if file.is_file() else ""
+
+
+def _link(run: FinishedRun, root: Path, viewed: Callable[[str], str]) -> str:
+    name = escape(run.folder.name)
+    if not run.recording.is_file():
+        return name
+    return f'<a href="{escape(viewed(_below(root, run.recording)))}">{name}</a>'
+
+
+def _below(root: Path, file: Path) -> str:
+    return quote(file.relative_to(root).as_posix())

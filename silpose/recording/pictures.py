@@ -13,6 +13,7 @@ from typing import Any
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from rerun.experimental import ViewerClient
 
 from silpose.errors import InputError
 from silpose.files import writing
@@ -98,38 +99,47 @@ def _write_gif(path: Path, images: Sequence[NDArray[Any]], frames_per_second: fl
 
 
 @contextmanager
-def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]:
-    """Give a function from a frame to a PNG, while a headless viewer is open."""
-    from rerun.experimental import ViewerClient
-
+def opened(recording: str | Path) -> Iterator[ViewerClient]:
+    """Open a recording in a viewer without a window, while the context lasts."""
     reader(recording)  # says what is wrong with it
     os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
     port = free_port()
     try:
-        program = start("--headless", port=port, remedy="try again", settle=_SETTLE)
+        # Expecting data, it does not paint over them that it listens.
+        process = start(
+            *("--headless", "--expect-data-soon"), port=port, remedy="try again", settle=_SETTLE
+        )
     except InputError as error:
         raise InputError(
-            f"nothing can be painted here, perhaps for want of a Vulkan driver (Debian: "
-            f"mesa-vulkan-drivers): {error}"
+            f"{error}; to paint, it wants a Vulkan driver (Debian: mesa-vulkan-drivers)"
         ) from error
     try:
         viewer = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
         viewer.open(str(Path(recording).absolute()))
-        viewer.set_time("frame", sequence=0, play_state="paused")
         viewer.take_screenshot()  # waits until everything is loaded
         time.sleep(_PAINTED)
+        yield viewer
+    finally:
+        process.terminate()
+        process.wait()
+
+
+@contextmanager
+def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]:
+    """Give a function from a frame to a PNG."""
+    with opened(recording) as viewer:
         options: dict[str, Any] = {"max_size": width}
         if view is not None:
             options["view_id"] = _view(viewer.get_state().views, view)
 
+        timed = any("frame" in chunk.timeline_names for chunk in reader(recording).stream())
+
         def shoot(frame: int) -> bytes:
-            viewer.set_time("frame", sequence=frame, play_state="paused")
+            if timed:
+                viewer.set_time("frame", sequence=frame, play_state="paused")
             return bytes(viewer.take_screenshot(**options))
 
         yield shoot
-    finally:
-        program.terminate()
-        program.wait()
 
 
 def _view(views: Any, title: str) -> Any:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import atexit
 import importlib.util
 import os
+import re
 import shutil
+import signal
 import socket
 import subprocess
 import tempfile
@@ -60,7 +62,12 @@ def start(
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             stderr=said,
-            env={**os.environ, "RUST_LOG": "error", "RERUN_ANALYTICS": "off"},
+            env={
+                **os.environ,
+                "RUST_LOG": "error",
+                "RERUN_ANALYTICS": "off",
+                "RERUN_APP_ONLY": "true",
+            },
             start_new_session=detach,
         )
         deadline = time.monotonic() + _PATIENCE
@@ -71,6 +78,7 @@ def start(
                 said.seek(0)
                 words = said.read().decode(errors="replace").strip().splitlines()
                 reason = next((line for line in words if "Error" in line), " ".join(words[-1:]))
+                reason = re.sub(r"(os error )?at \S+\.rs:\d+: ", "", reason)  # of no use here
                 raise InputError(f"Rerun does not start here: {reason or 'it says nothing'}")
             if settled is None and listening(port):
                 settled = time.monotonic() + settle
@@ -110,6 +118,8 @@ def serving() -> list[str]:
 
 def wait() -> None:
     """Go on until Ctrl-C, or until the servers are gone."""
+    if _servers:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # whoever asks, ends it well
     with suppress(KeyboardInterrupt):
         for process in _servers.values():
             process.wait()

@@ -107,7 +107,7 @@ def read_tracks(recording: str | Path) -> Tracks:
             rows.add(name, chunk)
         elif rows is poses:
             batch = chunk.to_record_batch()
-            columns = tuple(batch.column("SeriesLines:names")[0].as_py())
+            columns = tuple(batch.column("columns")[0].as_py())
     return Tracks(
         poses.times(), columns, poses.values(), {n: v[:, 0] for n, v in errors.values().items()}
     )
@@ -121,8 +121,8 @@ class _Rows:
 
     def add(self, name: str, chunk: Chunk) -> None:
         batch = chunk.to_record_batch()
-        scalars = batch.column("Scalars:scalars")
-        values = scalars.flatten().to_numpy(zero_copy_only=False).reshape(batch.num_rows, -1)
+        numbers = batch.column(batch.schema.names[-1])
+        values = np.asarray(numbers.flatten(), dtype=float).reshape(batch.num_rows, -1)
         times = np.asarray(batch.column("time")).astype("timedelta64[ns]").astype(float) / 1e9
         self._parts.setdefault(name, []).append((np.asarray(batch.column("frame")), times, values))
 

@@ -28,9 +28,13 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
     """
     # A stream of its own: rr.init would give all jobs of one process the same recording id. Runs
     # of one experiment share a layout in the viewer, as one application's recordings do.
-    recording = rr.RecordingStream(f"silpose_{header.experiment}", recording_id=header.identity)
+    recording = rr.RecordingStream(
+        f"silpose_{header.experiment}",
+        recording_id=header.identity,
+        send_properties=False,  # which would be the time of day
+    )
     with writing(header.file) as path:
-        live = connect(recording, header.sinks, header.file)
+        live = connect(recording, header)
         recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
         recording.set_log_time_enabled(False)  # the same run gives the same recording
         recording.send_recording_name(header.name)

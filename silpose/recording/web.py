@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -29,9 +30,9 @@ def served(folder: str | Path, port: int = 9090) -> Iterator[str]:
     origin = f"http://{HOST}:{viewer_port}"
     try:
         server = ThreadingHTTPServer((HOST, port), partial(_Files, root=root, origin=origin))
-    except OSError as error:
+    except (OSError, OverflowError) as error:
         raise InputError(
-            f"cannot listen on port {port} ({error.strerror}): choose another with --port"
+            f"cannot listen on port {port} ({error}): choose another with --port"
         ) from error
     viewer = start(
         *("--serve-web", "--web-viewer-port", str(viewer_port)), port=data_port, remedy="try again"
@@ -50,6 +51,7 @@ def serve(folder: str | Path, port: int = 9090) -> None:
     """Serve the recordings of a folder until Ctrl-C."""
     with served(folder, port) as address:
         print(f"Runs of '{folder}':  {address}   (Ctrl-C ends it)", flush=True)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # whoever asks, ends it well
         try:
             threading.Event().wait()
         except KeyboardInterrupt:

@@ -6,6 +6,7 @@ from rerun.chunk import RrdReader
 
 from silpose.errors import InputError
 from silpose.recording import compare, entities, read_poses
+from silpose.recording.pictures import opened
 
 
 @pytest.fixture
@@ -22,21 +23,24 @@ def test_runs_stand_side_by_side(finished, twin, tmp_path):
         assert f"/{run}{entities.TRUE_SKELETON}" in found
         assert f"/{run}{entities.ERROR}/rvm_20" in found
     both = read_poses(tmp_path / "both.rrd")
-    assert all(len(poses) in (45, 90) for poses in both.values())
+    assert set(both) == {
+        f"{run}/{name}" for run in ("small", "twin") for name in ("true", "estimated")
+    }
+    assert {poses.shape for poses in both.values()} == {(45, 55)}
+
+
+def test_what_differs_is_told(finished, twin, tmp_path):
+    other = replace(twin, config=twin.config.replace("seed: 0\ndebug", "seed: 7\ndebug"))
+    assert other.config != twin.config
+    for run, words in ((twin, "no setting differs"), (other, "| twin | 7 |")):
+        compare([finished, run], tmp_path / "both.rrd")
+        texts = RrdReader(tmp_path / "both.rrd").stream().filter(content=entities.METRICS)
+        assert words in str([chunk.to_record_batch().to_pydict() for chunk in texts])
 
 
 def test_opens_without_an_error(finished, twin, tmp_path, painting):
-    import random
-    import sys
-    from pathlib import Path
-
-    from rerun.experimental import ViewerClient
-
     compare([finished, twin], tmp_path / "both.rrd")
-    rerun = str(Path(sys.executable).with_name("rerun"))
-    port = random.randint(20000, 30000)
-    with ViewerClient.spawn(headless=True, port=port, executable_path=rerun) as viewer:
-        viewer.open(str(tmp_path / "both.rrd"))
+    with opened(tmp_path / "both.rrd") as viewer:
         viewer.set_time("frame", sequence=1, play_state="paused")
         viewer.take_screenshot()
         views = viewer.get_state().views
@@ -54,4 +58,12 @@ def test_what_does_not_compare_is_said(finished, twin, tmp_path):
             compare(runs, tmp_path / "no.rrd")
     with pytest.raises(InputError, match="no method 'foo'; it has mean_pose"):
         compare([finished, twin], tmp_path / "no.rrd", method="foo")
-    assert not (tmp_path / "no.rrd").exists()
+    (twin.folder / "run.rrd").unlink()  # as with recording=none
+    with pytest.raises(InputError, match="there is no recording"):
+        compare([finished, twin], tmp_path / "no.rrd")
+    assert not list(tmp_path.glob("*.rrd")) and not list(tmp_path.glob(".*"))
+
+
+def test_a_place_that_cannot_be_written_to_is_named(finished, twin, read_only):
+    with pytest.raises(InputError, match=r"cannot write '.*both\.rrd'"):
+        compare([finished, twin], read_only / "both.rrd")

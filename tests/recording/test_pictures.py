@@ -29,3 +29,15 @@ def test_what_cannot_be_painted_is_said(finished, tmp_path, painting):
         film(finished.recording, [0], tmp_path / "f.avi")
     with pytest.raises(InputError, match="one frame"):
         film(finished.recording, [], tmp_path / "f.gif")
+
+
+def test_no_driver_and_no_place_are_said(finished, tmp_path, read_only, monkeypatch):
+    with pytest.raises(InputError, match=r"cannot write '.*p\.png'"):
+        picture(finished.recording, 0, read_only / "p.png")
+    panics = tmp_path / "rerun"
+    panics.write_text("#!/bin/sh\necho 'Error: No graphics adapter was found!' >&2\nexit 101\n")
+    panics.chmod(0o755)
+    monkeypatch.setenv("RERUN_CLI_PATH", str(panics))
+    with pytest.raises(InputError, match=r"No graphics adapter .*mesa-vulkan-drivers"):
+        film(finished.recording, [0], tmp_path / "f.gif")
+    assert [file.name for file in tmp_path.iterdir() if file.is_file()] == ["rerun"]

@@ -3,8 +3,7 @@ import pytest
 
 from silpose import load_poses
 from silpose.errors import InputError
-from silpose.recording import read_poses
-from silpose.run import runs_table
+from silpose.recording import Header, read_poses, read_tracks, record_prediction
 
 
 def test_poses_come_back_as_they_were(finished):
@@ -16,31 +15,55 @@ def test_poses_come_back_as_they_were(finished):
 
 
 def test_a_frame_without_an_answer_is_nan(tmp_path, finished, mask_folder):
-    from silpose.recording import record_prediction, texts
-
     look = finished.model.look(mask_folder, blank="nan")
-    words = texts("masks", "", {})
-    record_prediction(tmp_path / "p.rrd", "p", finished.model, look, 15.0, words)
+    header = Header("predict", "p", tmp_path / "p.rrd", "masks")
+    record_prediction(header, finished.model, look, 15.0)
     estimated = read_poses(tmp_path / "p.rrd")["estimated"]
     assert np.isnan(estimated).any(axis=1).tolist() == [frame == 5 for frame in range(12)]
-    assert estimated[6] == pytest.approx(look.x[6])
+    assert estimated[6] == pytest.approx(look.x[6], rel=1e-6)
 
 
-def test_what_is_no_recording_is_named(tmp_path, finished):
+def test_errors_and_times_come_back(finished):
+    tracks = read_tracks(finished.recording)
+    assert tracks.columns == finished.model.space.columns
+    assert tracks.time == pytest.approx(np.arange(45) / 15)
+    assert set(tracks.errors) == set(finished.metrics)
+    off = finished.model.space.distance(tracks.poses["true"], tracks.poses["estimated"])
+    assert tracks.errors["rvm_20"] == pytest.approx(off, rel=1e-4)
+
+
+@pytest.fixture
+def changed(finished, tmp_path):
+    """Write a recording whose bytes are not as they should be."""
+
+    def write(change):
+        path = tmp_path / "changed.rrd"
+        path.write_bytes(change(finished.recording.read_bytes()))
+        return path
+
+    return write
+
+
+BROKEN = {
+    "is no recording": lambda content: b"nonsense",
+    "is no recording of this version": lambda content: b"RRF0" + content[4:],
+    "written by Rerun 0.20, which Rerun 0.41 cannot read: run the experiment again": (
+        lambda content: content[:4] + bytes([0, 20]) + content[6:]
+    ),
+    "was cut off: 'silpose repair": lambda content: content[: len(content) // 2],
+    "cut off": lambda content: content[:8],
+}
+
+
+@pytest.mark.parametrize("said", BROKEN)
+def test_what_cannot_be_read_is_one_sentence(changed, said, recwarn):
+    path = changed(BROKEN[said])
+    with pytest.raises(InputError, match=said) as error:
+        read_poses(path)
+    assert str(path) in str(error.value)
+    assert not recwarn.list  # Rerun's own words would be a second sentence
+
+
+def test_what_is_not_there_is_named(tmp_path):
     with pytest.raises(InputError, match="no recording"):
         read_poses(tmp_path / "missing.rrd")
-    broken = tmp_path / "broken.rrd"
-    broken.write_bytes(b"nonsense")
-    with pytest.raises(InputError, match=r"broken\.rrd"):
-        read_poses(broken)
-
-
-def test_runs_make_a_table(finished, tmp_path):
-    (tmp_path / "tracking" / "cut_off").mkdir(parents=True)
-    table = runs_table(finished.folder.parents[1])
-    row = table.loc[("single_image", "small")]
-    assert row["complete"]
-    assert row["ridge.mpjpe_mm"] == finished.metrics["ridge"]["mpjpe_mm"]
-    assert not runs_table(tmp_path).loc[("tracking", "cut_off"), "complete"]
-    with pytest.raises(InputError, match="no folder"):
-        runs_table(tmp_path / "nowhere")

@@ -16,7 +16,7 @@ def cut_off(finished, tmp_path):
     folder = tmp_path / "single_image" / "killed"
     folder.mkdir(parents=True)
     whole = finished.recording.read_bytes()
-    (folder / ".run.rrd.partial").write_bytes(whole[: int(0.9 * len(whole))])
+    (folder / ".run.partial.rrd").write_bytes(whole[: int(0.9 * len(whole))])
     return folder
 
 
@@ -26,6 +26,12 @@ def test_what_was_written_is_salvaged(cut_off):
     assert subprocess.run([rerun, "rrd", "verify", salvaged], capture_output=True).returncode == 0
     assert entities.MASK in {chunk.entity_path for chunk in RrdReader(salvaged).stream()}
     assert not runs_table(cut_off.parents[1]).loc[("single_image", "killed"), "complete"]
+
+
+def test_a_folder_that_cannot_be_written_to_is_named(finished, read_only):
+    (read_only / "run.rrd").write_bytes(finished.recording.read_bytes())
+    with pytest.raises(InputError, match=r"cannot write '.*salvaged\.rrd'"):
+        repair(read_only)
 
 
 def test_what_cannot_be_salvaged_is_said(tmp_path):

@@ -1,0 +1,54 @@
+import re
+from pathlib import Path
+
+from silpose.config import load
+from silpose.recording import Header, entities
+
+SETTINGS = """\
+motion:
+  kind: walker
+  root: null
+recording:
+  root: /somewhere
+regression:
+  rvm:
+    nu: [8, 16]
+seed: 3
+"""
+
+
+def header(settings=SETTINGS):
+    results = {"rvm": {"mean_angular_error_deg": 4.25}, "ridge": {"kept": 1}}
+    return Header("parts", "001", Path("run.rrd"), "a walk", settings, results)
+
+
+def test_properties_make_a_row_of_a_sweep():
+    properties = header().properties()
+    assert properties["settings"] == {
+        "motion.kind": "walker",
+        "regression.rvm.nu": "[8, 16]",
+        "seed": "3",
+    }
+    assert properties["metrics"] == {"rvm.mean_angular_error_deg": 4.25, "ridge.kept": 1.0}
+    versions = properties["versions"]
+    assert {"silpose", "rerun", "python"} <= set(versions)
+    assert re.fullmatch(r"[0-9a-f]{12}(-dirty)?", versions.get("commit", "0123456789ab"))
+
+
+def test_where_a_recording_goes_is_not_what_it_is():
+    here, there = header(), header(SETTINGS.replace("/somewhere", "/elsewhere"))
+    assert here.texts() == there.texts()
+    assert here.properties() == there.properties()
+    assert here.identity != there.identity  # yet they are two recordings
+
+
+def test_texts_tell_settings_and_results():
+    texts = header().texts()
+    assert "4.25°" in texts[entities.METRICS]
+    assert "nu:" in texts[entities.SETTINGS]
+    assert entities.SETTINGS not in header("").texts()
+
+
+def test_every_kind_of_sinks_is_known():
+    for choice, sinks in (("file", ["file"]), ("viewer", ["file", "viewer"]), ("none", [])):
+        assert load([f"recording={choice}"]).recording.sinks == sinks

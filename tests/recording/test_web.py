@@ -1,0 +1,107 @@
+import json
+import re
+import shutil
+import socket
+from html import unescape
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
+
+import pytest
+from browser import browsing, wait_for
+
+from silpose.errors import InputError
+from silpose.recording.program import free_port
+from silpose.recording.web import served
+
+VIEW = (slice(60, 420), slice(540, 1180))  # where the bodies are, in a window of 1600 x 807
+
+
+@pytest.fixture
+def folder(finished, tmp_path):
+    """A finished run, one without a recording, one that was cut off."""
+    root = tmp_path / "runs"
+    shutil.copytree(finished.folder, root / "single_image" / "whole")
+    shutil.copytree(finished.folder, root / "single_image" / "<bare>")
+    (root / "single_image" / "<bare>" / "run.rrd").unlink()
+    (root / "single_image" / "killed").mkdir()
+    (root / "single_image" / "killed" / ".run.partial.rrd").touch()
+    return root
+
+
+@pytest.fixture
+def address(folder):
+    with served(folder, free_port()) as address:
+        yield address
+
+
+def read(address, **headers):
+    with urlopen(Request(address, headers=headers)) as answer:
+        return answer.read()
+
+
+def test_the_page_lists_runs_with_their_headlines(address, finished):
+    page = read(address).decode()
+    error = finished.metrics["rvm_20"]["mean_angular_error_deg"]
+    assert page.count(f"{error:.2f}°") == 2
+    assert "&lt;bare&gt;" in page
+    assert "single_image/killed was not finished" in page
+    assert page.count("<img") == 2
+    assert page.count("run.rrd") == 1
+
+
+def test_a_run_is_painted_in_the_browser(address, tmp_path):
+    (link,) = re.findall(r'href="([^"]+run\.rrd)"', read(address).decode())
+    with browsing(unescape(link) + "&renderer=webgl", tmp_path) as shoot:
+
+        def bodies_are_painted():
+            view = shoot()[VIEW].astype(int)
+            coloured = view.max(axis=-1) - view.min(axis=-1) > 60
+            return coloured.sum() > 500  # the background and its grid are grey
+
+        wait_for(bodies_are_painted)
+
+
+def test_only_this_machine_is_answered(address):
+    ours = int(address.rpartition(":")[2])
+    (theirs,) = set(re.findall(r"http://127.0.0.1:(\d+)/\?url", read(address).decode()))
+    for port in (ours, int(theirs)):
+        for host in outside():
+            with socket.socket() as probe, pytest.raises(ConnectionRefusedError):
+                probe.connect((host, port))
+    with pytest.raises(HTTPError, match="403"):  # a foreign page that has our address as its name
+        read(address, Host="example.org")
+
+
+def outside():
+    """The addresses by which other machines know this one."""
+    found = {
+        entry[4][0] for entry in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)
+    }
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.connect(("192.0.2.1", 9))  # sends nothing, but chooses a way out
+        found.add(probe.getsockname()[0])
+    return {host for host in found if not host.startswith("127.")}
+
+
+def test_only_runs_are_served(address, folder):
+    (folder.parent / "secret").write_text("x")
+    for path in ("single_image/", "../secret", "%2e%2e/secret", "nothing"):
+        with pytest.raises(HTTPError, match="404"):
+            read(f"{address}/{path}")
+    assert json.loads(read(f"{address}/single_image/whole/metrics.json"))["seed"] == 0
+
+
+def test_what_cannot_be_served_is_said(folder, address, tmp_path):
+    port = int(address.rpartition(":")[2])
+    for root, taken, match in (
+        (tmp_path / "nowhere", port, "there is no folder"),
+        (folder, port, f"cannot listen on port {port} .*choose another with --port"),
+        (folder, 99999, "cannot listen on port 99999"),
+    ):
+        with pytest.raises(InputError, match=match), served(root, taken):
+            pass
+
+
+def test_an_empty_folder_says_so(tmp_path):
+    with served(tmp_path, free_port()) as address:
+        assert "no runs here yet" in read(address).decode()
