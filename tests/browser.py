@@ -4,6 +4,7 @@ import base64
 import json
 import os
 import shutil
+import socket
 import subprocess
 import time
 from contextlib import contextmanager
@@ -87,6 +88,12 @@ def _page(port):
     with urlopen(f"http://127.0.0.1:{port}/json/list") as answer:
         pages = [tab for tab in json.load(answer) if tab["type"] == "page"]
     return pages[0]["webSocketDebuggerUrl"] if pages else None
+
+
+def listening(port):
+    """Tell whether somebody on this machine listens."""
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
 def wait_for(what, seconds=90):

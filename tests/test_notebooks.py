@@ -7,7 +7,7 @@ from pathlib import Path
 import jupytext
 import nbclient
 import pytest
-from browser import chromium, evaluate, opened, picture, wait_for
+from browser import chromium, evaluate, listening, opened, picture, wait_for
 
 from silpose.recording.program import free_port
 
@@ -38,9 +38,7 @@ def test_a_viewer_is_painted_in_jupyterlab(tmp_path):
     path = next(path for path in NOTEBOOKS if path.stem == "02_descriptor")
     jupytext.write(jupytext.read(path), tmp_path / "notebook.ipynb")
     with lab(tmp_path) as address, opened(address, tmp_path) as call:
-        wait_for(
-            lambda: evaluate(call, f"{NOTEBOOK}.sessionContext.session.kernel.status == 'idle'")
-        )
+        wait_for(lambda: evaluate(call, f"{KERNEL}.status == 'idle'"))
         evaluate(call, "void jupyterapp.commands.execute('notebook:run-all-cells')")
 
         def viewer_is_painted():
@@ -54,7 +52,7 @@ def test_a_viewer_is_painted_in_jupyterlab(tmp_path):
         wait_for(viewer_is_painted, 180)
 
 
-NOTEBOOK = "jupyterapp.shell.currentWidget"
+KERNEL = "jupyterapp.shell.currentWidget.sessionContext.session.kernel"
 VIEWER = """
     (() => {
         const canvas = document.querySelector('.jp-OutputArea-output canvas');
@@ -88,6 +86,7 @@ def lab(folder):
         stderr=subprocess.DEVNULL,
     )
     try:
+        wait_for(lambda: listening(port))
         yield f"http://127.0.0.1:{port}/lab/tree/notebook.ipynb?token=test"
     finally:
         process.terminate()
