@@ -35,7 +35,8 @@ seen = descriptor.describe(test.masks)
 
 # %% [markdown]
 # **2. One shape context.** Where does the rest of the outline lie, seen from one of the 200 edge
-# points? Rings grow with the distance, so that what is near is seen in detail: a log-polar histogram.
+# points? Rings grow with the distance, so that what is near is seen in detail: a log-polar
+# histogram.
 
 # %%
 widest = test.masks.any(axis=1).sum(axis=1).argmax()  # where legs are apart
@@ -61,8 +62,8 @@ right.set(xticks=[], yticks=[], title="its shape context: 5 rings of 12 bins")
 plt.show()
 
 # %% [markdown]
-# **3. The codebook.** A hundred typical contexts, found by k-means. Each has a colour, and each edge
-# point the colour of the centre that it is nearest to: arms, legs and head have their own.
+# **3. The codebook.** A hundred typical contexts, found by k-means. Each has a colour, and each
+# edge point the colour of the centre that it is nearest to: arms, legs and head have their own.
 
 # %%
 from silpose.recording import codebook_picture
@@ -88,8 +89,8 @@ plt.xlabel("centre of the codebook")
 plt.show()
 
 # %% [markdown]
-# **5. Damage is local.** Cut off a limb: only edge points near the cut see another context (red). The
-# votes of the limb are gone, those of the cut are new, and the other bins hardly change.
+# **5. Damage is local.** Cut off a limb: only edge points near the cut see another context (red).
+# The votes of the limb are gone, those of the cut are new, and the other bins hardly change.
 
 # %%
 from silpose.silhouette import DEGRADATIONS, contour_damage, degrade
@@ -143,8 +144,8 @@ for axes, (name, distances) in zip(columns, between.items(), strict=True):
 plt.show()
 
 # %% [markdown]
-# **8. Watch it.** Middle: all contexts in the plane of their two principal components. Press play, and
-# see where this silhouette's lie.
+# **8. Watch it.** Middle: all contexts in the plane of their two principal components. Press play,
+# and see where this silhouette's lie.
 
 # %%
 from pathlib import Path
@@ -153,7 +154,7 @@ from silpose.recording import ContextSpace, Header, record_context_space, show
 
 cloud = np.concatenate([d.contexts for d in descriptor.describe(train[::50])])
 space = ContextSpace.of(cloud, descriptor.codebook_, seen)
-header = Header("descriptor", "notebook", Path("descriptor.rrd"), f"walker {test.performer}")
+header = Header("descriptor", "notebook", Path("descriptor.rrd"), f"test of {test.performer}")
 rate = test.frames_per_second
 book = descriptor.codebook_, descriptor.angular_bins
 record_context_space(header, test.masks, seen, space, *book, rate)

@@ -40,8 +40,8 @@ train, validation, ((z, x),) = (
 test, space = data.test[0], data.space
 
 # %% [markdown]
-# **2. A mixture of regressors,** each for silhouettes and poses of one kind; how many, and how sure
-# they are, is chosen on the validation take.
+# **2. A mixture of regressors,** each for silhouettes and poses of one kind; how many, and how
+# sure they are, is chosen on the validation take.
 
 # %%
 from silpose.regression import choose_mixture
@@ -50,11 +50,13 @@ mixture, _ = choose_mixture(
     train, validation, rooms.candidates.mixture, space.units, space.distance
 )
 weights, modes, _ = mixture.predict_modes(z, 8)
-print(f"{mixture.components_} regressors; probabilities of one frame's modes: {np.round(weights[0], 2)}")
+print(
+    f"{mixture.components_} regressors; probabilities of one frame's modes: {np.round(weights[0], 2)}"
+)
 
 # %% [markdown]
-# **3. Frames with several explanations:** those whose second mode is likely, and far from the first.
-# Drawn as the camera sees them, left limbs orange and right ones blue.
+# **3. Frames with several explanations:** those whose second mode is likely, and far from the
+# first. Drawn as the camera sees them, left limbs orange and right ones blue.
 
 # %%
 doubtful = []
@@ -78,8 +80,8 @@ for axes in rows.flat:
 plt.show()
 
 # %% [markdown]
-# **4. How probable are they,** over time? Two bands that are equally thick are two explanations; what
-# is missing to 1 is that none of them is right, since nothing like this silhouette trained.
+# **4. How probable are they,** over time? Two bands that are equally thick are two explanations;
+# what is missing to 1 is for anything else: nothing much like this silhouette trained.
 
 # %%
 plt.figure(figsize=(12, 3))
@@ -91,7 +93,8 @@ plt.legend(loc="lower left", ncols=4)
 plt.show()
 
 # %% [markdown]
-# **5. The best of k.** If somebody told which of the first k modes is right: how far off would it be?
+# **5. The best of k.** If somebody told which of the first k modes is right: how far off would it
+# be?
 
 # %%
 from silpose.regression import Basis, RidgeRegressor
@@ -114,8 +117,8 @@ plt.legend()
 plt.show()
 
 # %% [markdown]
-# **6. Watch it.** The brighter a skeleton, the more probable; the true one is blue. See how often the
-# second mode is the right one.
+# **6. Watch it.** The brighter a skeleton, the more probable; the true one is blue. See how often
+# the second mode is the right one.
 
 # %%
 from pathlib import Path
@@ -124,10 +127,10 @@ from silpose.recording import Header, Truth, record_modes, show
 
 best = {"mixture_top1": off[:, 0], "mixture_best4": off[:, :4].min(axis=1)}
 truth = Truth.of(test, rooms.camera, best, space)
-header = Header("ambiguity", "notebook", Path("ambiguity.rrd"), f"walker {test.performer}")
+header = Header("ambiguity", "notebook", Path("ambiguity.rrd"), f"test of {test.performer}")
 record_modes(header, test, truth, weights[:, :4], modes[:, :4], space)
 show(header.file)
 
 # %% [markdown]
-# **7. Which one is it?** One silhouette does not say. Those before it do: `04_tracking` carries its
-# belief from frame to frame.
+# **7. Which one is it?** One silhouette does not say. Those before it do: `04_tracking` carries
+# its belief from frame to frame.

@@ -17,7 +17,8 @@
 #
 # **1. A sweep.** In a terminal it is one line:
 #
-# `silpose -m descriptor.codebook_size=5,10,25,100 'methods=[ridge]' show=ridge recording.root=sweep`
+# `silpose -m descriptor.codebook_size=5,10,25,100 'methods=[ridge]' show=ridge
+# recording.root=sweep`
 #
 # and here a loop. Each run has a folder of its own below `sweep/`.
 
@@ -88,8 +89,8 @@ axes.set_xlabel("frame")
 plt.show()
 
 # %% [markdown]
-# **5. Side by side on one timeline,** with both errors in one plot below. In a terminal:
-# `silpose compare sweep/single_image/centres_5 sweep/single_image/centres_100`.
+# **5. Side by side on one timeline,** with both errors in one plot below. In a terminal: `silpose
+# compare sweep/single_image/centres_5 sweep/single_image/centres_100`.
 
 # %%
 from pathlib import Path

@@ -15,9 +15,9 @@
 #
 # From a folder of BVH files and a video of masks to poses. Replace two paths, and it is yours.
 #
-# **1. The paths.** `motion` is a folder of motion capture, `masks` a video of masks or a folder of mask
-# images. If they do not exist, this cell makes an example: nine walkers as BVH, and a stranger,
-# who does not train, as a video. Delete the second half when the paths are your own.
+# **1. The paths.** `motion` is a folder of motion capture, `masks` a video of masks or a folder of
+# mask images. If they do not exist, this cell makes an example: nine walkers as BVH, and a
+# stranger, who does not train, as a video. Delete the second half when the paths are your own.
 
 # %%
 import os
@@ -44,13 +44,13 @@ if not motion.exists():
     video.release()
 
 # %% [markdown]
-# **2. Is the motion read as it should be?** Every file is put on the skeleton that is used here. Look
-# for people who stand upright, and walk where they should.
+# **2. Is the motion read as it should be?** Every file is put on the skeleton that is used here.
+# Look for people who stand upright, and walk where they should.
 #
-# *What may go wrong:* joints are found by name; a file whose joints have other names is left out with a
-# warning that says which joint is missing. Name it: `joints={"left_elbow": ["MyElbowL"]}` here, and
-# `'motion.joints={left_elbow: [MyElbowL]}'` in 3. Files of any frame rate are brought to 15 frames a
-# second; +Y is up.
+# *What may go wrong:* joints are found by name; a file whose joints have other names is left out
+# with a warning that says which joint is missing. Name it: `joints={"left_elbow": ["MyElbowL"]}`
+# here, and `'motion.joints={left_elbow: [MyElbowL]}'` in 3. Files of any frame rate are brought to
+# 15 frames a second; +Y is up.
 
 # %%
 import matplotlib.pyplot as plt
@@ -86,15 +86,17 @@ own = ["motion=bvh", f"motion.root={motion}", "methods=[rvm]"]
 quick = ["regression.basis.width=2", "regression.rvm.nu=8"]  # without these, validation chooses
 run = run_experiment(load([*own, *quick]))
 errors = {method: values["mean_angular_error_deg"] for method, values in run.metrics.items()}
-print(f"on an unseen file {errors['rvm']:.1f}° off; always the mean pose: {errors['mean_pose']:.1f}°")
+print(
+    f"on an unseen file {errors['rvm']:.1f}° off; always the mean pose: {errors['mean_pose']:.1f}°"
+)
 
 # %% [markdown]
 # **4. Are the masks as they should be?** One person, white on black, whole, of any size.
 #
 # *What may go wrong:* black on white (invert them), grey edges (they are cut at half of the
-# brightest value), limbs out of the frame, a floor or a shadow that is white as well. silpose
-# does not cut people out of pictures: any segmentation will do, or, before a camera that
-# stands still, `cv2.createBackgroundSubtractorMOG2()`.
+# brightest value), limbs out of the frame, a floor or a shadow that is white as well. silpose does
+# not cut people out of pictures: any segmentation will do, or, before a camera that stands still,
+# `cv2.createBackgroundSubtractorMOG2()`.
 
 # %%
 from silpose.silhouette import read_masks
@@ -108,8 +110,8 @@ for axes, mask in zip(row, seen[:: max(1, len(seen) // 8)], strict=False):
 plt.show()
 
 # %% [markdown]
-# **5. Poses,** as numbers; `blank="nan"` gives a row of NaN where nobody is seen. A heading norm far
-# below 1 says that the silhouette could be of several poses, or is unlike all that trained.
+# **5. Poses,** as numbers; `blank="nan"` gives a row of NaN where nobody is seen. A heading norm
+# far below 1 says that the silhouette could be of several poses, or is unlike all that trained.
 
 # %%
 poses = run.model.predict(masks, blank="nan")
@@ -132,8 +134,8 @@ poses.save_bvh("my_poses.bvh", frames_per_second=15)
 #
 # `silpose experiment=predict silhouette=masks silhouette.source=my_masks.mp4 model=…/model.npz`
 #
-# A model of `experiment=tracking` would follow the person from frame to frame; it wants masks at the
-# frame rate that it was trained at: say yours by `silhouette.frames_per_second=15`.
+# A model of `experiment=tracking` would follow the person from frame to frame; it wants masks at
+# the frame rate that it was trained at: say yours by `silhouette.frames_per_second=15`.
 
 # %%
 from silpose.recording import show

@@ -173,7 +173,7 @@ def comparison(
         bodies_view(
             run,
             [f"$origin{path}" for path in bodies],
-            from_the_front(2.6 if side_by_side else 1.4),
+            from_the_front(2.6 if side_by_side else 2.1),
             f"/{run}",
         )
         for run in drawn
