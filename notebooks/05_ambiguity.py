@@ -50,9 +50,7 @@ mixture, _ = choose_mixture(
     train, validation, rooms.candidates.mixture, space.units, space.distance
 )
 weights, modes, _ = mixture.predict_modes(z, 8)
-print(
-    f"{mixture.components_} regressors; probabilities of one frame's modes: {np.round(weights[0], 2)}"
-)
+print(f"{mixture.components_} regressors; the first frame's modes: {np.round(weights[0], 2)}")
 
 # %% [markdown]
 # **3. Frames with several explanations:** those whose second mode is likely, and far from the

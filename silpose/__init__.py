@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from silpose.run import load_run, runs_table
+from silpose.finished import load_run, runs_table
 
 if TYPE_CHECKING:
     import numpy as np

@@ -18,7 +18,7 @@ from silpose.errors import InputError
 from silpose.tools import TOOLS, run_tool
 
 if TYPE_CHECKING:
-    from silpose.run import FinishedRun
+    from silpose.finished import FinishedRun
 
 _HOUSE = ("motion", "silhouette", "dataset", "descriptor", "regression", "tracking", "recording")
 
@@ -83,7 +83,8 @@ def run_experiment(settings: DictConfig) -> FinishedRun:
     """Build the rooms, run the experiment in a folder of its own, and read back what came out."""
     # Heavy imports wait until there is something to do: --help answers at once.
     from silpose.experiments import EXPERIMENTS
-    from silpose.run import Run, load_run
+    from silpose.finished import load_run
+    from silpose.run import Run
 
     rooms = furnish(settings)
     name = settings.experiment

@@ -10,8 +10,8 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
+from silpose.finished import FinishedRun
 from silpose.headlines import headlines
-from silpose.run import FinishedRun
 
 
 def summarise(run: FinishedRun) -> None:

@@ -16,8 +16,8 @@ def run_tool(arguments: Sequence[str]) -> None:
 
 
 def _compare(given: argparse.Namespace) -> None:
+    from silpose.finished import load_run
     from silpose.recording import compare
-    from silpose.run import load_run
     from silpose.summary import near, rerun_command
 
     compare([load_run(folder) for folder in given.runs], given.output, given.method)

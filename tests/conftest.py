@@ -55,7 +55,7 @@ def finished(tmp_path_factory):
     """A finished run of the whole experiment, a few seconds of motion in small images."""
     from silpose.app import run_experiment
     from silpose.config import load
-    from silpose.run import load_run
+    from silpose.finished import load_run
 
     root = tmp_path_factory.mktemp("recordings")
     run_experiment(load([*FAST, f"recording.root={root}", "recording.name=small"]))

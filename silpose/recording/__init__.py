@@ -8,7 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from silpose.recording.codebook import codebook_picture
+    from silpose.recording.codebook_figure import codebook_picture
     from silpose.recording.comparison import compare
     from silpose.recording.context_space import ContextSpace
     from silpose.recording.header import Header
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from silpose.recording.web import serve
 
 _HOMES = {
-    "codebook": ("codebook_picture",),
+    "codebook_figure": ("codebook_picture",),
     "comparison": ("compare",),
     "context_space": ("ContextSpace",),
     "header": ("Header",),

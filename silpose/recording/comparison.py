@@ -10,11 +10,11 @@ import yaml
 from rerun.chunk import Chunk
 
 from silpose.errors import InputError
+from silpose.finished import FinishedRun
 from silpose.recording import blueprint, entities, palette
 from silpose.recording.header import Header, flat, results_table
 from silpose.recording.read import reader
 from silpose.recording.stream import recording_stream
-from silpose.run import FinishedRun
 
 _SHARED = (entities.FIGURE, entities.SETTINGS, entities.METRICS, entities.SEQUENCE)
 

@@ -34,7 +34,7 @@ COLUMNS_LEFT = "/regression/bridges/columns_left"
 OBJECTIVE = "/regression/bridges/objective"
 FEATURES = "/silhouette/camera/retained"  # one entity below it per body part
 
-MODES = "/regression/modes"  # below it a skeleton, a heading and a weight per mode
+MODES = "/regression/modes"  # below it a skeleton, a heading, a pose and a weight per mode
 
 TRACKS = "/tracking/tracks"  # below it a skeleton, a heading, a pose per method
 TRACK_NAMES = "/tracking/names"

@@ -7,6 +7,7 @@ import sys
 import warnings
 
 import rerun as rr
+import rerun.blueprint as rrb
 
 from silpose.errors import InputError
 from silpose.recording.header import Header
@@ -17,14 +18,16 @@ _ANSWER = 5.0  # seconds that a viewer may take to answer
 _SETTLE = 1.5  # seconds after which a viewer has found its screen
 
 
-def connect(recording: rr.RecordingStream, header: Header) -> list[rr.GrpcSink]:
+def connect(
+    recording: rr.RecordingStream, header: Header, layout: rrb.Blueprint
+) -> list[rr.GrpcSink]:
     """Open the live sinks; one that cannot be had is one warning, and the file remains."""
     answering = []
     for kind, opened in (("viewer", _viewer), ("web", _web)):
         if kind in header.sinks.kinds:
             try:
                 url = f"rerun+http://{HOST}:{opened(header.sinks)}/proxy"
-                _check(recording, header.name, url)
+                _lay_out(recording, layout, url)
                 answering.append(rr.GrpcSink(url))
             except InputError as error:
                 warnings.warn(f"no {kind}: {error}; '{header.file}' holds all", stacklevel=2)
@@ -60,11 +63,11 @@ def _web(sinks: Sinks) -> int:
     return data
 
 
-def _check(recording: rr.RecordingStream, name: str, url: str) -> None:
-    """Make sure that it is Rerun that answers."""
+def _lay_out(recording: rr.RecordingStream, layout: rrb.Blueprint, url: str) -> None:
+    """Lay the viewer out before anything is in it, and make sure that it is one that answers."""
     try:
         recording.set_sinks(rr.GrpcSink(url))
-        recording.send_recording_name(name)  # something to be answered
+        recording.send_blueprint(layout)
         recording.flush(timeout_sec=_ANSWER)
     except RuntimeError as error:
         port = url.split(":")[2].split("/")[0]

@@ -8,9 +8,9 @@ from pathlib import Path
 from urllib.parse import quote
 
 from silpose.errors import InputError
-from silpose.files import partial
+from silpose.finished import FinishedRun, load_run
 from silpose.headlines import headlines
-from silpose.run import FinishedRun, load_run
+from silpose.writing import partial
 
 _STYLE = """
 body { font: 15px system-ui, sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em;

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from rerun.experimental import ViewerClient
 
 from silpose.errors import InputError
-from silpose.files import writing
 from silpose.recording.program import HOST, free_port, start
 from silpose.recording.read import reader
+from silpose.writing import writing
 
 _PAINTED = 0.5  # seconds until a first picture is complete
 _SETTLE = 0.3  # seconds after which a viewer has found its driver

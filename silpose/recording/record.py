@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from silpose.pose import PoseSpace
 from silpose.recording import blueprint, entities, palette
-from silpose.recording.codebook import log_codebook
+from silpose.recording.codebook_figure import log_codebook
 from silpose.recording.header import Header
 from silpose.recording.log import Track
 from silpose.recording.reasons import Reasons, log_reasons

@@ -6,9 +6,9 @@ import subprocess
 from pathlib import Path
 
 from silpose.errors import InputError
-from silpose.files import partial, writing
 from silpose.recording.program import program
 from silpose.recording.read import reader
+from silpose.writing import partial, writing
 
 SALVAGED = "salvaged.rrd"  # never run.rrd: the run was not finished
 

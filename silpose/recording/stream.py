@@ -11,10 +11,10 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
-from silpose.files import writing
 from silpose.recording.header import Header
 from silpose.recording.live import connect
 from silpose.recording.log import log_text
+from silpose.writing import writing
 
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
 
@@ -34,7 +34,7 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
         send_properties=False,  # which would be the time of day
     )
     with writing(header.file) as path:
-        live = connect(recording, header)
+        live = connect(recording, header, layout)
         recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
         recording.set_log_time_enabled(False)  # the same run gives the same recording
         recording.send_recording_name(header.name)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from silpose.descriptor import Description
 from silpose.recording import blueprint, entities, palette
-from silpose.recording.codebook import log_codebook
+from silpose.recording.codebook_figure import log_codebook
 from silpose.recording.context_space import ContextSpace
 from silpose.recording.header import Header
 from silpose.recording.log import Track

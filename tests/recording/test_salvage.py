@@ -6,8 +6,8 @@ import pytest
 from rerun.chunk import RrdReader
 
 from silpose.errors import InputError
+from silpose.finished import runs_table
 from silpose.recording import entities, repair
-from silpose.run import runs_table
 
 
 @pytest.fixture

@@ -6,9 +6,12 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from threading import Thread
 
+import cv2
 import numpy as np
 import pytest
+from browser import wait_for
 from rerun.chunk import RrdReader
+from rerun.experimental import ViewerClient
 
 from silpose.errors import InputError
 from silpose.recording import Header, Sinks, blueprint, entities, program
@@ -152,3 +155,15 @@ def test_what_keeps_rerun_from_starting_is_said(port, monkeypatch, tmp_path):
     monkeypatch.setenv("RERUN_CLI_PATH", str(broken))
     with pytest.raises(InputError, match=re.escape("does not start here: Error: winit no display")):
         program.start(port=port, remedy="")
+
+
+def test_a_viewer_is_laid_out(header, port, tmp_path, painting):
+    process = program.start("--headless", "--expect-data-soon", port=port, remedy="")
+    try:
+        record(header("viewer"))
+        client = ViewerClient(f"rerun+http://127.0.0.1:{port}/proxy")
+        wait_for(lambda: {view.name for view in client.get_state().views} >= {"figure", "error"})
+        assert cv2.imdecode(np.frombuffer(client.take_screenshot(), np.uint8), 1).std() > 10
+    finally:
+        process.kill()
+        process.wait()

@@ -1,7 +1,7 @@
 import pytest
 
 from silpose.errors import InputError
-from silpose.files import writing
+from silpose.writing import writing
 
 
 def test_a_file_has_its_name_only_once_it_is_whole(tmp_path):
