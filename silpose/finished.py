@@ -175,7 +175,7 @@ def _add_varied(runs: Sequence[tuple[Path, dict[str, Any]]]) -> None:
     table = _pandas().json_normalize([_settings(folder) for folder, _ in runs])
     differ = table.columns[table.astype(str).nunique(dropna=False) > 1]
     names = [name for name in differ if name != "seed" and not name.startswith("recording.")]
-    for (_, row), own in zip(runs, table[names].to_dict("records"), strict=bool(names)):
+    for (_, row), own in zip(runs, table[names].to_dict("records"), strict=True):
         row |= own
 
 

@@ -92,7 +92,7 @@ def tracking(
                 entities.TRACK_NAMES,
                 *(f"{entities.TRACKS}/{method}/skeleton" for method in methods),
             ],
-            from_the_front(0.75 * len(methods) + 0.3),
+            from_the_front(0.75 * len(methods) + 0.5),
         ),
         rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
         series_view("heading, degrees", headings),
