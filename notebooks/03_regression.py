@@ -68,7 +68,7 @@ plt.show()
 # **4. What is kept:** the training silhouettes whose coefficients are largest.
 
 # %%
-sparse = path[-1]
+sparse = path[-2]
 largest = np.argsort(-np.linalg.norm(sparse.coef_, axis=1))[:10]
 kept = masks[sparse.basis_.indices_[largest]]
 plt.figure(figsize=(12, 2.5))
@@ -93,7 +93,7 @@ plt.legend(loc="upper right")
 plt.show()
 
 # %% [markdown]
-# **6. Watch it.** The sparsest machine at work: which of the silhouettes that it kept answer (bars
+# **6. Watch it.** A sparse machine at work: which of the silhouettes that it kept answer (bars
 # in orange), and which of them speak for this very pose.
 
 # %%
