@@ -17,6 +17,9 @@ NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.py"))
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_runs_from_top_to_bottom(path, tmp_path, monkeypatch):
     monkeypatch.setenv("SILPOSE_FAST", "1")
+    monkeypatch.setenv("OMP_NUM_THREADS", "1")  # little to compute: threads only wait
+    # Nobody looks: the viewer, 30 MB to be packed for the browser, is not served.
+    monkeypatch.setenv("RERUN_NOTEBOOK_ASSET", "http://127.0.0.1:9/widget.js")
     notebook = jupytext.read(path)
     client = nbclient.NotebookClient(
         notebook, timeout=300, resources={"metadata": {"path": tmp_path}}
@@ -81,7 +84,7 @@ def lab(folder):
     process = subprocess.Popen(
         [sys.executable, "-m", "jupyterlab", "--no-browser"]
         + [f"--{name}={value}" for name, value in options.items()],
-        env=os.environ | own | {"SILPOSE_FAST": "1"},
+        env=os.environ | own | {"SILPOSE_FAST": "1", "OMP_NUM_THREADS": "1"},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )
