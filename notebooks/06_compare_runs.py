@@ -17,8 +17,10 @@
 #
 # **1. A sweep.** In a terminal it is one line:
 #
-# `silpose -m descriptor.codebook_size=5,10,25,100 'methods=[ridge]' show=ridge
-# recording.root=sweep`
+# ```sh
+# silpose -m descriptor.codebook_size=5,10,25,100 'methods=[ridge]' show=ridge \
+#     regression.basis.width=2 recording.root=sweep
+# ```
 #
 # and here a loop. Each run has a folder of its own below `sweep/`.
 
@@ -31,19 +33,10 @@ from silpose.config import load
 fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
 common = [*fast, "methods=[ridge]", "show=ridge", "regression.basis.width=2"]
 sizes = [5, 100] if fast else [5, 10, 25, 100]
-runs = [
-    run_experiment(
-        load(
-            [
-                *common,
-                f"descriptor.codebook_size={size}",
-                f"recording.name=centres_{size}",
-                "recording.root=sweep",
-            ]
-        )
-    )
-    for size in sizes
-]
+runs = []
+for size in sizes:
+    own = [f"descriptor.codebook_size={size}", "recording.root=sweep"]
+    runs.append(run_experiment(load([*common, *own, f"recording.name=centres_{size}"])))
 
 # %% [markdown]
 # **2. The sweep as a table:** a row per run, with the settings in which the runs differ, and every

@@ -132,7 +132,10 @@ poses.save_bvh("my_poses.bvh", frames_per_second=15)
 # %% [markdown]
 # **7. Watch it.** In a terminal:
 #
-# `silpose experiment=predict silhouette=masks silhouette.source=my_masks.mp4 model=…/model.npz`
+# ```sh
+# silpose experiment=predict silhouette=masks silhouette.source=my_masks.mp4 \
+#     model=recordings/single_image/001
+# ```
 #
 # A model of `experiment=tracking` would follow the person from frame to frame; it wants masks at
 # the frame rate that it was trained at: say yours by `silhouette.frames_per_second=15`.
