@@ -2,6 +2,7 @@ import json
 import re
 import shutil
 import socket
+from contextlib import suppress
 from html import unescape
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
@@ -77,7 +78,7 @@ def outside():
     found = {
         entry[4][0] for entry in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)
     }
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+    with suppress(OSError), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.connect(("192.0.2.1", 9))  # sends nothing, but chooses a way out
         found.add(probe.getsockname()[0])
     return {host for host in found if not host.startswith("127.")}
