@@ -15,7 +15,7 @@
 #
 # How large must the codebook be? A sweep as a table, as a plot, and two of its runs side by side.
 #
-# **1. A sweep.** In a terminal it is one line:
+# **1. A sweep.** In a terminal it is one command:
 #
 # ```sh
 # silpose -m descriptor.codebook_size=5,10,25,100 'methods=[ridge]' show=ridge \
@@ -40,7 +40,7 @@ for size in sizes:
 
 # %% [markdown]
 # **2. The sweep as a table:** a row per run, with the settings in which the runs differ, and every
-# method's values. Runs that were cut off are listed as incomplete.
+# method's values. `complete` is false for a run that was cut off.
 
 # %%
 import silpose
