@@ -50,7 +50,7 @@ def descriptor_space(rooms: Rooms, run: Run, contexts: int) -> None:
     space = ContextSpace.of(cloud, descriptor.codebook_, seen)
     metrics = {
         "codebook": {
-            "variance_in_plane": space.contexts.var(axis=0).sum() / cloud.var(axis=0).sum(),
+            "variance_in_plane": float(space.contexts.var(axis=0).sum() / cloud.var(axis=0).sum()),
             "distance_to_nearest": descriptor.vote_width_ / descriptor.vote_width,
             "centres_voted_for": float(np.mean([(d.z > 1e-3 * d.z.sum()).sum() for d in seen])),
         }
