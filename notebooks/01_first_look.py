@@ -40,6 +40,8 @@ import numpy as np
 plt.figure(figsize=(12, 3))
 plt.imshow(np.hstack(test.masks[:60:7, :, 60:-60]), cmap="gray_r")
 plt.axis("off")
+plt.show()
+
 # %% [markdown]
 # **3. Learn.** Each mask becomes a histogram of shape contexts; a relevance vector machine learns
 # which training silhouettes are worth remembering, and to tell the pose from likeness to them.
@@ -55,26 +57,36 @@ model.fit(np.concatenate([take.masks for take in data.train]), poses(data.train)
 print(f"{len(regressor.relevance_)} of {len(poses(data.train))} silhouettes are kept")
 
 # %% [markdown]
-# **4. Look at the test walker,** and compare with the true poses, and with always answering the
-# mean pose.
+# **4. Look at the test walker,** whom it has never seen: estimated poses on the true ones, the
+# heading as the walker turns, and how far off it is on average, beside always answering the mean
+# pose.
 
 # %%
+from pathlib import Path
+
+from IPython.display import Image
+
+from silpose.experiments.figures import single_image_figure
+
 seen = model.look(test.masks)
 errors = {
     "rvm": data.space.distance(test.x, seen.x),
     "mean_pose": data.space.distance(test.x, poses(data.train).mean(axis=0)),
 }
-for method, error in errors.items():
-    print(f"{method}: {error.mean():.2f}° off on average over the 54 joint angles")
+means = {method: error.mean() for method, error in errors.items()}
+figure = Path("first_look.png")
+single_image_figure(figure, data.space, rooms.camera, test, seen.x, means, "rvm")
+Image(figure)
 
 # %% [markdown]
-# **5. Watch it,** frame by frame, in the Rerun viewer. Press play.
+# **5. Watch it,** frame by frame, in the Rerun viewer. Press play. *Why this pose?* says which
+# training silhouettes speak for it.
 
 # %%
-from silpose.recording import Reasons, Truth, record_single_image, show, texts
+from silpose.recording import Header, Reasons, Truth, record_single_image, show
 
 truth = Truth.of(test, rooms.camera, errors, data.space)
 why = Reasons.of(regressor, seen, data.train, rooms.camera, data.space)
-words = texts(f"test walker {test.performer}", "", {})
-record_single_image("first_look.rrd", "first look", model, seen, truth, list(errors), words, why)
-show("first_look.rrd")
+header = Header("first_look", "notebook", Path("first_look.rrd"), f"test of {test.performer}")
+record_single_image(header, model, seen, truth, list(errors), why)
+show(header.file)

@@ -62,17 +62,19 @@ plt.xlabel("share of the training silhouettes kept")
 plt.ylabel("mean angular error, degrees")
 plt.ylim(0)
 plt.legend()
+plt.show()
 
 # %% [markdown]
 # **4. What is kept:** the training silhouettes whose coefficients are largest.
 
 # %%
-sparse = path[-1]
+sparse = path[-2]
 largest = np.argsort(-np.linalg.norm(sparse.coef_, axis=1))[:10]
 kept = masks[sparse.basis_.indices_[largest]]
 plt.figure(figsize=(12, 2.5))
 plt.imshow(np.hstack(kept[:, :, 70:-70]), cmap="gray_r")
 plt.axis("off")
+plt.show()
 
 # %% [markdown]
 # **5. How sure?** Two standard deviations around the estimated left hip angle, and the true one.
@@ -88,3 +90,25 @@ plt.plot(frames, x_test[:, column], "k", label="true")
 inside = np.mean((low < x_test[:, column]) & (x_test[:, column] < high))
 plt.title(f"left hip: {inside:.0%} of the frames lie inside")
 plt.legend(loc="upper right")
+plt.show()
+
+# %% [markdown]
+# **6. Watch it.** A sparse machine at work: which of the silhouettes that it kept answer (bars
+# in orange), and which of them speak for this very pose.
+
+# %%
+from pathlib import Path
+
+from silpose.model import PoseModel
+from silpose.recording import Header, Reasons, Truth, record_single_image, show
+
+test = data.test[0]
+model = PoseModel(rooms.descriptor, sparse, data.space, test.frames_per_second)
+seen = model.look(test.masks)
+both = {"rvm": seen.x, "ridge": ridge.predict(z_test)}
+errors = {method: data.space.distance(x_test, x) for method, x in both.items()}
+truth = Truth.of(test, rooms.camera, errors, data.space)
+why = Reasons.of(sparse, seen, data.train, rooms.camera, data.space)
+header = Header("regression", "notebook", Path("regression.rrd"), f"test of {test.performer}")
+record_single_image(header, model, seen, truth, list(errors), why)
+show(header.file)

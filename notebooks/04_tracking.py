@@ -67,6 +67,7 @@ for axes, (name, x) in zip(rows, estimates.items(), strict=True):
     axes.plot(thigh_swing(data.space, x), color="tab:orange")
     axes.set_title(name, fontsize=10)
 rows[-1].set_xlabel("frame")
+plt.show()
 
 # %% [markdown]
 # **4. The belief** over key poses, ordered by where they face: it wanders as the walker turns.
@@ -78,6 +79,7 @@ plt.figure(figsize=(12, 4))
 plt.imshow(np.sqrt(track.beliefs[:, order].T), aspect="auto", cmap="magma")
 plt.xlabel("frame")
 plt.ylabel("key poses, by heading")
+plt.show()
 
 # %% [markdown]
 # **5. Lost and found:** a second without any silhouette.
@@ -94,16 +96,20 @@ plt.fill_between(np.arange(len(error)), 0, error.max(), where=lost, alpha=0.3, l
 plt.ylabel("error, degrees")
 plt.xlabel("frame")
 plt.legend()
+plt.show()
 
 # %% [markdown]
-# **6. Watch it.** Estimates side by side, each on the truth; the tracker's state in the lane below.
+# **6. Watch it.** Estimates side by side, each on the truth; the tracker's state in the lane
+# below.
 
 # %%
-from silpose.recording import Truth, record_tracking, show, texts
+from pathlib import Path
+
+from silpose.recording import Header, Truth, record_tracking, show
 
 errors = {name: data.space.distance(test.x, x) for name, x in estimates.items()}
 truth = Truth.of(test, rooms.camera, errors, data.space)
 shown = {name: estimates[name] for name in ("ridge", "tracker")}
-words = texts(f"test walker {test.performer}", "", {})
-record_tracking("tracking.rrd", "tracking", test, truth, shown, track, data.space, words)
-show("tracking.rrd")
+header = Header("tracking", "notebook", Path("tracking.rrd"), f"test of {test.performer}")
+record_tracking(header, test, truth, shown, track, data.space)
+show(header.file)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import warnings
+from typing import TYPE_CHECKING
 
 import hydra
 from hydra.core.hydra_config import HydraConfig
@@ -15,6 +16,9 @@ from omegaconf import DictConfig, OmegaConf
 from silpose.config import build, check_overrides, config_folder, explain, furnish
 from silpose.errors import InputError
 from silpose.tools import TOOLS, run_tool
+
+if TYPE_CHECKING:
+    from silpose.finished import FinishedRun
 
 _HOUSE = ("motion", "silhouette", "dataset", "descriptor", "regression", "tracking", "recording")
 
@@ -37,12 +41,14 @@ def main() -> None:
 
 
 def _job(settings: DictConfig) -> None:
+    from silpose.summary import summarise
+
     try:
         overrides = HydraConfig.get().overrides.task
         check_overrides(settings, overrides)
         if _in_sweep():
             print(*overrides)
-        run_experiment(settings)
+        summarise(run_experiment(settings))
     except Exception as error:
         # Hydra would add lines of its own. In a sweep they say which job it was, and the other
         # jobs go on.
@@ -73,13 +79,12 @@ def _sentence(error: Exception) -> str:
     return f"silpose: unexpected {kind}: {error} (debug=true shows where it comes from)"
 
 
-def run_experiment(settings: DictConfig) -> None:
-    """Build the rooms, run the experiment in a folder of its own, and say what came out."""
+def run_experiment(settings: DictConfig) -> FinishedRun:
+    """Build the rooms, run the experiment in a folder of its own, and read back what came out."""
     # Heavy imports wait until there is something to do: --help answers at once.
     from silpose.experiments import EXPERIMENTS
     from silpose.finished import load_run
     from silpose.run import Run
-    from silpose.summary import summarise
 
     rooms = furnish(settings)
     name = settings.experiment
@@ -93,7 +98,7 @@ def run_experiment(settings: DictConfig) -> None:
     except BaseException:
         run.abandon()
         raise
-    summarise(load_run(run.folder))
+    return load_run(run.folder)
 
 
 if __name__ == "__main__":

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import yaml
 
 from silpose.errors import InputError
 from silpose.writing import partial
@@ -130,13 +133,16 @@ def runs_table(root: str | Path = "recordings") -> Any:
     -------
     table : pandas.DataFrame
         A row per run, by ``experiment`` and ``run``: ``complete``, ``dataset``, ``seed``,
-        ``seconds`` and each headline value as ``method.name``. A run that was cut off has its
-        names only.
+        ``seconds``, each headline value as ``method.name``, and by their full names the settings
+        in which runs of one experiment differ. A run that was cut off has its names only.
     """
     pandas = _pandas()
     if not Path(root).is_dir():
         raise InputError(f"there is no folder '{root}': give the one that holds the runs")
-    rows = [_row(folder) for folder in sorted(Path(root).glob("*/*")) if folder.is_dir()]
+    folders = [folder for folder in sorted(Path(root).glob("*/*")) if folder.is_dir()]
+    rows = [_row(folder) for folder in folders]
+    for _, own in groupby(zip(folders, rows, strict=True), lambda run: run[0].parent):
+        _add_varied([run for run in own if run[1]["complete"]])
     columns = None if rows else ["experiment", "run", "complete"]
     return pandas.DataFrame(rows, columns=columns).set_index(["experiment", "run"])
 
@@ -162,3 +168,20 @@ def _row(folder: Path) -> dict[str, Any]:
         for method, values in content["metrics"].items()
         for name, value in values.items()
     }
+
+
+def _add_varied(runs: Sequence[tuple[Path, dict[str, Any]]]) -> None:
+    """Add to the rows of an experiment's runs the settings in which these differ."""
+    table = _pandas().json_normalize([_settings(folder) for folder, _ in runs])
+    differ = table.columns[table.astype(str).nunique(dropna=False) > 1]
+    names = [name for name in differ if name != "seed" and not name.startswith("recording.")]
+    for (_, row), own in zip(runs, table[names].to_dict("records"), strict=True):
+        row |= own
+
+
+def _settings(folder: Path) -> dict[str, Any]:
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # seven times as fast, where it is built
+    try:
+        return yaml.load((folder / "config.yaml").read_text(encoding="utf-8"), loader) or {}
+    except (OSError, yaml.YAMLError):
+        return {}

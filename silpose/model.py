@@ -144,7 +144,7 @@ class PoseModel:
 
         Parameters
         ----------
-        masks : array-like, shape (F, H, W), list of arrays (H, W), or path of a folder of images
+        masks : array-like, shape (F, H, W), list of arrays (H, W), or path of a folder or video
         blank : {"error", "nan"}
             What a mask without foreground gives: an error, or a row of NaN.
         """

@@ -27,12 +27,18 @@ def bar(what: str, total: int) -> Iterator[Callable[[int], None]]:
     started = monotonic()
     console = Console(stderr=True)
     unseen = not (console.is_terminal or console.is_jupyter)
-    with Progress(
+    progress = Progress(
         *columns, TimeRemainingColumn(), console=console, transient=True, disable=unseen
-    ) as progress:
-        task = progress.add_task(what, total=total, visible=False)
+    )
+    task = progress.add_task(what, total=total)
 
-        def advance(items: int = 1) -> None:
-            progress.update(task, advance=items, visible=monotonic() - started > _PATIENCE)
+    def advance(items: int = 1) -> None:
+        progress.update(task, advance=items)
+        if monotonic() - started > _PATIENCE:
+            progress.start()  # only now: in a notebook even a hidden bar takes up room
 
+    try:
         yield advance
+    finally:
+        if progress.live.is_started:
+            progress.stop()

@@ -4,6 +4,7 @@ import base64
 import json
 import os
 import shutil
+import socket
 import subprocess
 import time
 from contextlib import contextmanager
@@ -43,6 +44,24 @@ def chromium():
 @contextmanager
 def browsing(address, folder):
     """Open a page; give a function that takes its picture, (H, W, 3) in BGR."""
+    with opened(address, folder) as call:
+        yield lambda: picture(call)
+
+
+def picture(call):
+    """Take the picture of an opened page, (H, W, 3) in BGR."""
+    png = np.frombuffer(base64.b64decode(call("Page.captureScreenshot")["data"]), np.uint8)
+    return cv2.imdecode(png, cv2.IMREAD_COLOR)
+
+
+def evaluate(call, script):
+    """Give the value of a script in an opened page, None if it fails."""
+    return call("Runtime.evaluate", expression=script, returnByValue=True)["result"].get("value")
+
+
+@contextmanager
+def opened(address, folder):
+    """Open a page; give a function that calls the browser's methods (DevTools protocol)."""
     command = [chromium(), *FLAGS, f"--user-data-dir={folder / 'profile'}", address]
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     process = subprocess.Popen(command, **quiet)
@@ -52,14 +71,13 @@ def browsing(address, folder):
         page = wait_for(lambda: _page(port))
         tab = websocket.create_connection(page, suppress_origin=True, timeout=60)
 
-        def shoot():
-            tab.send(json.dumps({"id": 1, "method": "Page.captureScreenshot"}))
+        def call(method, **parameters):
+            tab.send(json.dumps({"id": 1, "method": method, "params": parameters}))
             while (answer := json.loads(tab.recv())).get("id") != 1:
                 pass
-            png = np.frombuffer(base64.b64decode(answer["result"]["data"]), np.uint8)
-            return cv2.imdecode(png, cv2.IMREAD_COLOR)
+            return answer["result"]
 
-        yield shoot
+        yield call
         tab.close()
     finally:
         process.terminate()
@@ -70,6 +88,12 @@ def _page(port):
     with urlopen(f"http://127.0.0.1:{port}/json/list") as answer:
         pages = [tab for tab in json.load(answer) if tab["type"] == "page"]
     return pages[0]["webSocketDebuggerUrl"] if pages else None
+
+
+def listening(port):
+    """Tell whether somebody on this machine listens."""
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
 def wait_for(what, seconds=90):

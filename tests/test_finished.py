@@ -34,6 +34,23 @@ def test_200_runs_make_a_table_of_200_rows(tmp_path):
     assert table.index.is_unique
 
 
+def test_the_table_says_in_which_settings_runs_of_one_experiment_differ(tmp_path):
+    for name, nu in (("a", 3), ("b", 10)):
+        run = Run.start(
+            tmp_path, "sweep", name, f"{{rvm: {{nu: {nu}}}, recording: {{name: {name}}}}}"
+        )
+        run.write_settings()
+        run.write_metrics("walker", 0, {})
+    other = Run.start(tmp_path, "other", "c", "rvm: {nu: 5}")  # alone, and unlike the sweep
+    other.write_settings()
+    other.write_metrics("walker", 0, {})
+    Run.start(tmp_path, "sweep", "cut_off")
+    table = runs_table(tmp_path)
+    assert table.loc["sweep"]["rvm.nu"].dropna().to_dict() == {"a": 3, "b": 10}
+    assert set(table.columns) == {"complete", "dataset", "seed", "seconds", "rvm.nu"}
+    assert table["rvm.nu"].count() == 2
+
+
 def test_tracks_are_a_table(finished):
     tracks = finished.tracks
     assert list(tracks.columns) == ["time", *finished.model.space.columns, "error"]

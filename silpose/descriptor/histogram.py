@@ -46,12 +46,15 @@ class Description:
         The codebook centre nearest to each.
     z : ndarray, shape (K,)
         The histogram.
+    rings : ndarray, shape (radial_bins,)
+        Outer radii of the contexts' rings, pixels.
     """
 
     points: NDArray[np.int32]
     contexts: NDArray[np.float32]
     nearest: NDArray[np.int32]
     z: NDArray[np.float64]
+    rings: NDArray[np.float64]
 
 
 class ShapeContextHistogram(TransformerMixin, BaseEstimator):
@@ -154,7 +157,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
             pixels, points = self._boundary(as_mask(masks[index], index))
             few = min(share, len(points))
             chosen = np.random.default_rng(seeds[index]).choice(len(points), few, replace=False)
-            return self._contexts(pixels, points[chosen])
+            return self._contexts(pixels, points[chosen], self._rings(pixels))
 
         contexts = np.concatenate(self._map(some_contexts, len(masks)))
         self.codebook_ = learn_codebook(
@@ -187,9 +190,11 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
 
         def description(index: int) -> Description:
             pixels, points = self._boundary(as_mask(masks[index], index))
-            contexts = self._contexts(pixels, points)
+            rings = self._rings(pixels)
+            contexts = self._contexts(pixels, points, rings)
             votes, nearest = soft_votes(contexts, transposed, norms, voters, width)
-            return Description(points, contexts, nearest, self._normalised(votes, len(points)))
+            z = self._normalised(votes, len(points))
+            return Description(points, contexts, nearest, z, rings)
 
         return self._map(description, len(masks))
 
@@ -226,12 +231,16 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
             return pixels, pixels[spaced_indices(pixels, lengths, self.edge_points, 0.0)]
         return pixels, pixels
 
-    def _contexts(self, pixels: Pixels, points: Pixels) -> NDArray[np.float32]:
+    def _rings(self, pixels: Pixels) -> NDArray[np.float64]:
         reach = max(self.radius * extent(pixels), 1.0)  # a single pixel still has a neighbourhood
-        bounds = ring_bounds(reach, self.inner_radius * reach, self.radial_bins)
+        return ring_bounds(reach, self.inner_radius * reach, self.radial_bins)
+
+    def _contexts(
+        self, pixels: Pixels, points: Pixels, rings: NDArray[np.float64]
+    ) -> NDArray[np.float32]:
         # Tables come in a few sizes, so that most masks share one.
-        sectors = _table(64 * (int(reach) // 64 + 1), self.angular_bins)
-        return shape_contexts(pixels, points, bounds, sectors, self.angular_bins)
+        sectors = _table(64 * (int(rings[-1]) // 64 + 1), self.angular_bins)
+        return shape_contexts(pixels, points, rings, sectors, self.angular_bins)
 
     def _normalised(self, votes: NDArray[np.float64], points: int) -> NDArray[np.float64]:
         if self.normalisation == "none":

@@ -9,7 +9,6 @@ from matplotlib.axes import Axes
 from matplotlib.colors import hsv_to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
-from sklearn.decomposition import PCA
 
 from silpose.descriptor import Description
 from silpose.errors import InputError
@@ -48,15 +47,10 @@ def descriptor_space(rooms: Rooms, run: Run, contexts: int) -> None:
         )
         cloud = cloud[rng.choice(len(cloud), min(contexts, len(cloud)), replace=False)]
         seen = descriptor.describe(masks)
-    pca = PCA(2).fit(cloud)
-    space = ContextSpace(
-        pca.transform(cloud),
-        pca.transform(descriptor.codebook_),
-        [pca.transform(description.contexts) for description in seen],
-    )
+    space = ContextSpace.of(cloud, descriptor.codebook_, seen)
     metrics = {
         "codebook": {
-            "variance_in_plane": float(pca.explained_variance_ratio_.sum()),
+            "variance_in_plane": float(space.contexts.var(axis=0).sum() / cloud.var(axis=0).sum()),
             "distance_to_nearest": descriptor.vote_width_ / descriptor.vote_width,
             "centres_voted_for": float(np.mean([(d.z > 1e-3 * d.z.sum()).sum() for d in seen])),
         }

@@ -16,11 +16,11 @@ from silpose.model import Look, PoseModel, Poses
 from silpose.recording import record_prediction
 from silpose.regression import check_methods
 from silpose.run import Run
-from silpose.silhouette import mask_files, read_masks
+from silpose.silhouette import mask_names, read_masks
 
 
 def predict(rooms: Rooms, run: Run, model: str | None, show: str, lag: float) -> None:
-    """Estimate the pose behind each mask of a folder; write them as a recording and a table.
+    """Estimate the pose behind each of the user's masks; write them as a recording and a table.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str, lag: float) ->
     with run.stage("prediction"):
         look, states = _follow(fitted, fitted.look(masks, own.blank), own.frames_per_second, lag)
     with run.writing("poses.csv") as path:
-        _write_csv(path, mask_files(own.source), Poses(look.x, fitted.space), states)
+        _write_csv(path, mask_names(own.source, len(masks)), Poses(look.x, fitted.space), states)
     header = run.header(f"{len(masks)} masks of `{own.source}`", {})
     record_prediction(header, fitted, look, own.frames_per_second)
     if not model:
@@ -70,7 +70,7 @@ def _train(rooms: Rooms, run: Run, method: str) -> PoseModel:
 
 
 def _write_csv(
-    path: Path, files: Sequence[Path], estimated: Poses, states: Sequence[str] | None
+    path: Path, names: Sequence[str], estimated: Poses, states: Sequence[str] | None
 ) -> None:
     joints = [f"{j}_{axis}_m" for j in estimated.space.joint_names for axis in "xyz"]
     columns = [
@@ -89,6 +89,6 @@ def _write_csv(
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
-        for frame, (image, row) in enumerate(zip(files, numbers, strict=True)):
+        for frame, (name, row) in enumerate(zip(names, numbers, strict=True)):
             state = [states[frame]] if states else []
-            writer.writerow([frame, image.name, *state, *(f"{v:.6g}" for v in row)])
+            writer.writerow([frame, name, *state, *(f"{v:.6g}" for v in row)])

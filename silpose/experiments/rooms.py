@@ -21,12 +21,12 @@ from silpose.tracking import TrackingSettings
 
 @dataclass(frozen=True)
 class OwnMasks:
-    """A folder of the user's own masks.
+    """The user's own masks.
 
     Attributes
     ----------
     source : str or None
-        The folder.
+        A folder or a video.
     blank : {"error", "nan"}
         What to do about a mask without a person.
     frames_per_second : float

@@ -92,7 +92,7 @@ def tracking(
                 entities.TRACK_NAMES,
                 *(f"{entities.TRACKS}/{method}/skeleton" for method in methods),
             ],
-            from_the_front(0.75 * len(methods) + 0.3),
+            from_the_front(0.75 * len(methods) + 0.5),
         ),
         rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
         series_view("heading, degrees", headings),
@@ -213,7 +213,7 @@ def comparison(
         bodies_view(
             run,
             [f"$origin{path}" for path in bodies],
-            from_the_front(2.6 if side_by_side else 1.4),
+            from_the_front(2.6 if side_by_side else 2.1),
             f"/{run}",
         )
         for run in drawn

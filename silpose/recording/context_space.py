@@ -7,6 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from sklearn.decomposition import PCA
+
+from silpose.descriptor import Description
 
 Array = NDArray[np.float64]
 
@@ -28,3 +31,15 @@ class ContextSpace:
     contexts: Array
     centres: Array
     points: Sequence[Array]
+
+    @classmethod
+    def of(
+        cls, contexts: Array, codebook: NDArray[np.float32], seen: Sequence[Description]
+    ) -> ContextSpace:
+        """Find the plane of contexts (n, B); put a codebook (K, B) and described masks there."""
+        pca = PCA(2).fit(contexts)
+        return cls(
+            pca.transform(contexts),
+            pca.transform(codebook),
+            [pca.transform(description.contexts) for description in seen],
+        )

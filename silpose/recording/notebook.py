@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from contextlib import redirect_stdout
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +28,8 @@ def show(recording: str | Path, height: int = 720) -> Any:
     # "inline" adds 23 MB to the saved notebook.
     os.environ.setdefault("RERUN_NOTEBOOK_ASSET", "serve-local")
     try:
-        from rerun_notebook import Viewer
+        with redirect_stdout(StringIO()):  # which says in three lines where the viewer comes from
+            from rerun_notebook import Viewer
     except ModuleNotFoundError as error:
         raise InputError(
             "the viewer for notebooks is not installed: pip install 'silpose[notebook]'"

@@ -4,7 +4,7 @@ from silpose.silhouette.body import BODIES, LEVELS, Body
 from silpose.silhouette.camera import Camera
 from silpose.silhouette.degradation import Degradation
 from silpose.silhouette.degrade import DEGRADATIONS, contour_damage, degrade
-from silpose.silhouette.files import mask_files, read_mask, read_masks
+from silpose.silhouette.files import mask_files, mask_names, read_mask, read_masks
 from silpose.silhouette.render import render
 
 __all__ = [
@@ -17,6 +17,7 @@ __all__ = [
     "contour_damage",
     "degrade",
     "mask_files",
+    "mask_names",
     "read_mask",
     "read_masks",
     "render",

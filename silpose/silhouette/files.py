@@ -1,4 +1,4 @@
-"""Masks from a folder of image files."""
+"""Masks from a folder of image files, or from a video."""
 
 from __future__ import annotations
 
@@ -45,22 +45,46 @@ def read_mask(file: str | Path) -> Mask:
     return (grey > grey.max() / 2).astype(np.uint8)
 
 
-def read_masks(folder: str | Path, blank: str = "error") -> list[Mask]:
-    """Read all masks of a folder.
+def read_masks(source: str | Path, blank: str = "error") -> list[Mask]:
+    """Read all masks of a folder of images, or of a video.
 
     Parameters
     ----------
-    folder : path
+    source : path
     blank : {"error", "nan"}
         Whether a mask without foreground is an error.
     """
-    files = mask_files(folder)
-    masks = [read_mask(file) for file in files]
-    empty = [file for file, mask in zip(files, masks, strict=True) if not mask.any()]
+    if Path(source).is_file():
+        masks = _read_video(Path(source))
+    else:
+        masks = [read_mask(file) for file in mask_files(source)]
+    empty = [k for k, mask in enumerate(masks) if not mask.any()]
     if empty and blank == "error":
+        name = mask_names(source, len(masks))[empty[0]]
         raise InputError(
-            f"mask '{empty[0]}' has no foreground: remove it, or ask for rows of NaN by blank=nan"
+            f"mask '{Path(source) / name}' has no foreground: "
+            "remove it, or ask for rows of NaN by blank=nan"
         )
-    if len(empty) == len(files):
-        raise InputError(f"no mask in '{folder}' has a foreground")
+    if len(empty) == len(masks):
+        raise InputError(f"no mask in '{source}' has a foreground")
     return masks
+
+
+def mask_names(source: str | Path, count: int) -> list[str]:
+    """Name the masks of a folder by their files, those of a video by their frames."""
+    if Path(source).is_file():
+        return [f"frame {k}" for k in range(count)]
+    return [file.name for file in mask_files(source)]
+
+
+def _read_video(file: Path) -> list[Mask]:
+    """Read a video of masks: what is brighter than half of its brightest value is foreground."""
+    video = cv2.VideoCapture(str(file))
+    frames = []
+    while (read := video.read())[0]:
+        frames.append(cv2.cvtColor(read[1], cv2.COLOR_BGR2GRAY))
+    video.release()
+    if not frames:
+        raise InputError(f"'{file}' is no video that can be read: give one, or a folder of masks")
+    threshold = max(int(frame.max()) for frame in frames) / 2
+    return [(frame > threshold).astype(np.uint8) for frame in frames]

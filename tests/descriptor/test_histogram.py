@@ -103,6 +103,18 @@ def test_scaling_the_silhouette_changes_little(histogram, sequence):
     assert np.linalg.norm(histogram.transform(twice) - z[:1]) < 0.5 * between
 
 
+def test_rings_reach_as_far_as_a_context_sees(histogram):
+    bar = np.zeros((200, 60), np.uint8)
+    bar[20:180, 30] = 1  # its rings hold what is up and down, and nothing beyond the last
+    (seen,) = histogram.describe([bar])
+    assert seen.rings.shape == (histogram.radial_bins,)
+    middle = np.abs(seen.points[:, 1] - 100).argmin()
+    away = np.abs(np.arange(20, 180) - seen.points[middle, 1])
+    inside = np.histogram(away[away > 0], [0, *seen.rings])[0]
+    context = seen.contexts[middle].reshape(histogram.radial_bins, -1).sum(axis=1)
+    assert context == pytest.approx(inside / inside.sum(), abs=0.01)
+
+
 def test_one_thread_or_two_give_the_same(sequence):
     one, two = (
         ShapeContextHistogram(codebook_size=20, n_jobs=n).fit(sequence.masks) for n in (1, 2)

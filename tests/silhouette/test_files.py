@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from silpose.errors import InputError
-from silpose.silhouette import mask_files, read_mask
+from silpose.silhouette import mask_files, read_mask, read_masks
 
 
 def test_files_come_in_the_order_of_their_numbers(tmp_path):
@@ -31,3 +31,21 @@ def test_folders_and_files_that_cannot_be_used_are_named(tmp_path):
         (tmp_path / "broken.png").write_bytes(content)
         with pytest.raises(InputError, match=r"broken\.png"):
             read_mask(tmp_path / "broken.png")
+
+
+def test_a_video_of_masks_is_read_as_a_folder_is(tmp_path):
+    masks = np.zeros((4, 48, 64), np.uint8)
+    for frame in (0, 2, 3):
+        masks[frame, 8:40, 10 + 4 * frame : 40] = 1
+    file = tmp_path / "masks.mp4"
+    codec = cv2.VideoWriter.fourcc(*"mp4v")
+    video = cv2.VideoWriter(str(file), codec, 15, (64, 48), isColor=False)
+    for mask in masks:
+        video.write(255 * mask)
+    video.release()
+    with pytest.raises(InputError, match=r"masks\.mp4/frame 1' has no foreground"):
+        read_masks(file)
+    np.testing.assert_array_equal(read_masks(file, blank="nan"), masks)
+    (tmp_path / "broken.mp4").write_bytes(b"no video at all")
+    with pytest.raises(InputError, match=r"broken\.mp4' is no video"):
+        read_masks(tmp_path / "broken.mp4")

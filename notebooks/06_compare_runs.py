@@ -1,0 +1,94 @@
+# ---
+# jupyter:
+#   jupytext:
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # Run it several times, compare
+#
+# How large must the codebook be? A sweep as a table, as a plot, and two of its runs side by side.
+#
+# **1. A sweep.** In a terminal it is one command:
+#
+# ```sh
+# silpose -m descriptor.codebook_size=5,10,25,100 'methods=[ridge]' show=ridge \
+#     regression.basis.width=2 recording.root=sweep
+# ```
+#
+# and here a loop. Each run has a folder of its own below `sweep/`.
+
+# %%
+import os
+
+from silpose.app import run_experiment
+from silpose.config import load
+
+fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
+common = [*fast, "methods=[ridge]", "show=ridge", "regression.basis.width=2"]
+sizes = [5, 100] if fast else [5, 10, 25, 100]
+runs = []
+for size in sizes:
+    own = [f"descriptor.codebook_size={size}", "recording.root=sweep"]
+    runs.append(run_experiment(load([*common, *own, f"recording.name=centres_{size}"])))
+
+# %% [markdown]
+# **2. The sweep as a table:** a row per run, with the settings in which the runs differ, and every
+# method's values. `complete` is false for a run that was cut off.
+
+# %%
+import silpose
+
+table = silpose.runs_table("sweep").sort_values("descriptor.codebook_size")
+table[["descriptor.codebook_size", "ridge.mean_angular_error_deg", "ridge.mpjpe_mm"]].round(2)
+
+# %% [markdown]
+# **3. The error against what was swept,** and what does not learn at all beside it.
+
+# %%
+import matplotlib.pyplot as plt
+
+error = "mean_angular_error_deg"
+for method, style in {"ridge": "o-", "nearest": "s-", "mean_pose": ":"}.items():
+    plt.semilogx(table["descriptor.codebook_size"], table[f"{method}.{error}"], style, label=method)
+plt.xlabel("centres of the codebook")
+plt.ylabel("mean angular error, degrees")
+plt.xticks(sizes, sizes)
+plt.minorticks_off()
+plt.ylim(0)
+plt.legend()
+plt.show()
+
+# %% [markdown]
+# **4. A run as data:** estimated and true poses of the test take, frame by frame.
+
+# %%
+small, large = silpose.load_run("sweep/single_image/centres_5"), runs[-1]
+_, rows = plt.subplots(2, figsize=(12, 5), sharex=True, sharey=True)
+for axes, run in zip(rows, (small, large), strict=True):
+    tracks = run.tracks
+    axes.plot(tracks.loc["true", "left_knee_x"], "k", lw=2, label="true")
+    axes.plot(tracks.loc["estimated", "left_knee_x"], color="tab:orange", label="estimated")
+    axes.set_ylabel("left knee, degrees")
+    axes.set_title(f"{run.folder.name}: {tracks.loc['estimated', 'error'].mean():.2f}° off")
+axes.legend(loc="upper right")
+axes.set_xlabel("frame")
+plt.show()
+
+# %% [markdown]
+# **5. Side by side on one timeline,** with both errors in one plot below. In a terminal: `silpose
+# compare sweep/single_image/centres_5 sweep/single_image/centres_100`.
+
+# %%
+from pathlib import Path
+
+from silpose.recording import compare, show
+
+compare([small, large], Path("comparison.rrd"))
+show("comparison.rrd")
