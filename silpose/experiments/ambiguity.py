@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.evaluation import heading_errors, thigh_swing
+from silpose.experiments.explanations import KINDS, Kinds, differences, kinds_of
 from silpose.experiments.figures import ESTIMATED, QUIET, TRUE
 from silpose.experiments.mixture_peers import neighbour_modes
 from silpose.experiments.rooms import Rooms
@@ -23,11 +23,7 @@ from silpose.regression import among_themselves, choose_mixture
 from silpose.run import Run
 
 Array = NDArray[np.float64]
-Kinds = NDArray[np.str_]
 
-KINDS = ("turned", "legs swapped", "other")
-TURNED_DEG = 60.0  # headings further apart than this are two explanations
-SWAPPED_DEG = 15.0  # likewise differences of the thighs' swings, if of opposite signs
 NEIGHBOURS = 20  # training silhouettes that explain one
 SHARE = 0.15  # of neighbours, or of probability, that an explanation has at least
 
@@ -58,7 +54,10 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
         near = neighbour_modes(z_train, x_train, z, NEIGHBOURS)
         alike = np.full(near.shape[:2], 1 / near.shape[1])
         seen, found = (
-            {kind: explained(space, s, poses, kind) for kind in KINDS[:2]}
+            {
+                kind: explained(s, differ)
+                for kind, differ in differences(space, poses[:, :1], poses).items()
+            }
             for s, poses in ((alike, near), (shares, means))
         )
         rivals = shares[:, 1] >= SHARE
@@ -82,31 +81,9 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
     run.write_metrics(described.data.name, rooms.seed, metrics)
 
 
-def kinds_of(space: PoseSpace, x: Array, other: Array) -> Kinds:
-    """Say how poses (n, D) differ from others: ``turned``, ``legs swapped`` or ``other``.
-
-    Legs are swapped where the difference of the thighs' swings has the opposite sign: the
-    silhouette of a walker from the side hardly tells left from right.
-    """
-    one, two = (_stride(space, poses) for poses in (x, other))
-    clear = np.minimum(np.abs(one), np.abs(two)) > SWAPPED_DEG
-    swapped = clear & (one * two < 0)
-    turned = heading_errors(space, x, other) > TURNED_DEG
-    return np.where(turned, KINDS[0], np.where(swapped, KINDS[1], KINDS[2]))
-
-
-def explained(space: PoseSpace, shares: Array, poses: Array, kind: str) -> NDArray[np.bool_]:
-    """Tell whether poses (n, k, D) of shares (n, k) hold two explanations that differ by a kind.
-
-    They do if poses that differ so from the heaviest one weigh enough together.
-    """
-    first = poses[:, 0]
-    other = [kinds_of(space, first, poses[:, k]) == kind for k in range(poses.shape[1])]
-    return (shares * np.stack(other, axis=1)).sum(axis=1) >= SHARE
-
-
-def _stride(space: PoseSpace, x: Array) -> Array:
-    return thigh_swing(space, x, "left") - thigh_swing(space, x, "right")
+def explained(shares: Array, differ: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Tell whether poses that differ from the heaviest one, (n, k), weigh enough together."""
+    return (shares * differ).sum(axis=1) >= SHARE
 
 
 def _measure(
@@ -120,7 +97,7 @@ def _measure(
 ) -> dict[str, dict[str, float]]:
     """Shares of frames, by kind, and how much the right choice between two modes would win."""
     metrics = {}
-    for kind in KINDS[:2]:
+    for kind in seen:
         both = (seen[kind] & found[kind]).sum()
         metrics[kind.replace(" ", "_")] = {
             "frames_by_neighbours": float(seen[kind].mean()),

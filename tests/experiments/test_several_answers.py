@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from silpose.evaluation import heading_errors
-from silpose.experiments.ambiguity import kinds_of
+from silpose.experiments.explanations import depth_mirrored, differences, kinds_of
 from silpose.experiments.failures import Trial, cuts
 from silpose.experiments.mixture import reliability_of
 from silpose.pose import ANGLES
@@ -40,7 +40,7 @@ def test_the_best_of_more_modes_is_better(study):
 
 def test_ambiguous_silhouettes_are_counted(study):
     metrics, _ = study("ambiguity", *FAST)
-    assert set(metrics) == {"turned", "legs_swapped", "two_modes"}
+    assert set(metrics) == {"turned", "legs_swapped", "mirrored", "two_modes"}
     two = metrics["two_modes"]
     assert two["turned"] + two["legs_swapped"] + two["other"] == pytest.approx(1)
     assert two["error_of_better"] <= two["error_of_first"]
@@ -116,6 +116,18 @@ def test_explanations_are_told_apart():
     assert kinds_of(ANGLES, pose, walker(-90, 25, -25)) == ["turned"]
     assert kinds_of(ANGLES, pose, walker(80, -25, 25)) == ["legs swapped"]
     assert kinds_of(ANGLES, pose, walker(80, 15, -15)) == ["other"]
+
+
+def test_who_is_mirrored_in_depth_casts_the_same_silhouette():
+    pose, away = walker(0, 25, -25), walker(180, -25, 25)
+    outline, other = depth_mirrored(ANGLES, pose)[0], ANGLES.joints(away)[0]
+    assert np.abs(outline - other).max() < 0.12  # the skeleton's sides are not quite alike
+    assert np.allclose(
+        np.sort(outline[:, :2], axis=0), np.sort(ANGLES.joints(pose)[0, :, :2], axis=0)
+    )
+    assert differences(ANGLES, pose, away)["mirrored"] == [True]
+    assert differences(ANGLES, pose, walker(0, -25, 25))["mirrored"] == [False]
+    assert differences(ANGLES, walker(90, 25, -25), walker(90, -25, 25))["mirrored"] == [True]
 
 
 def test_reliability_counts_how_often_a_mode_is_nearest():
