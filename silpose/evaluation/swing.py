@@ -11,17 +11,17 @@ Array = NDArray[np.float64]
 
 
 def thigh_swing(space: PoseSpace, x: ArrayLike, side: str = "left") -> Array:
-    """Angle of a thigh from the vertical, forwards positive, degrees, shape (...,).
+    """Angle of a thigh from the vertical, forwards positive, degrees, shape (F,).
 
     Parameters
     ----------
     space : PoseSpace
-    x : array-like, shape (..., D)
+    x : array-like, shape (F, D)
     side : {"left", "right"}
     """
     joints = space.joints(x)
-    hip, knee = (joints[..., space.joint_names.index(f"{side}_{j}"), :] for j in ("hip", "knee"))
-    across, up, along = np.moveaxis(knee - hip, -1, 0)
+    hip, knee = (joints[:, space.joint_names.index(f"{side}_{j}")] for j in ("hip", "knee"))
+    across, up, along = (knee - hip).T
     theta = np.deg2rad(space.heading(x))
     forwards = across * np.sin(theta) + along * np.cos(theta)
     return np.rad2deg(np.arctan2(forwards, -up))

@@ -53,13 +53,7 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
         shares = among_themselves(weights)
         near = neighbour_modes(z_train, x_train, z, NEIGHBOURS)
         alike = np.full(near.shape[:2], 1 / near.shape[1])
-        seen, found = (
-            {
-                kind: explained(s, differ)
-                for kind, differ in differences(space, poses[:, :1], poses).items()
-            }
-            for s, poses in ((alike, near), (shares, means))
-        )
+        seen, found = explained(space, alike, near), explained(space, shares, means)
         rivals = shares[:, 1] >= SHARE
         kinds = kinds_of(space, means[:, 0], means[:, 1])
         metrics = _measure(space, x, seen, found, means, rivals, kinds)
@@ -81,9 +75,16 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
     run.write_metrics(described.data.name, rooms.seed, metrics)
 
 
-def explained(shares: Array, differ: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Tell whether poses that differ from the heaviest one, (n, k), weigh enough together."""
-    return (shares * differ).sum(axis=1) >= SHARE
+def explained(space: PoseSpace, shares: Array, poses: Array) -> dict[str, NDArray[np.bool_]]:
+    """Tell whether poses (n, k, D) of shares (n, k) hold two explanations, by how they differ.
+
+    They do if poses that differ so from the heaviest one weigh enough together.
+    """
+    differ = [differences(space, poses[:, 0], poses[:, k]) for k in range(poses.shape[1])]
+    return {
+        kind: (shares * np.stack([own[kind] for own in differ], axis=1)).sum(axis=1) >= SHARE
+        for kind in differ[0]
+    }
 
 
 def _measure(

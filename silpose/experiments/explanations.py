@@ -18,11 +18,11 @@ MIRRORED = 0.5  # a pose is mirrored if it is this many times as near to the mir
 
 
 def differences(space: PoseSpace, x: Array, other: Array) -> dict[str, NDArray[np.bool_]]:
-    """Tell in which ways poses ``x (..., D)`` differ from others; the arguments broadcast.
+    """Tell in which ways poses ``x (n, D)`` differ from others.
 
     Returns
     -------
-    differences : dict of str to ndarray of bool
+    differences : dict of str to ndarray of bool, shape (n,)
         ``turned``; ``legs swapped``, where the difference of the thighs' swings has the opposite
         sign: a walker's silhouette from the side hardly tells left from right; ``mirrored``, where
         one is nearly what the other would be with left and right, front and back exchanged as
@@ -48,13 +48,13 @@ def kinds_of(space: PoseSpace, x: Array, other: Array) -> Kinds:
 
 
 def depth_mirrored(space: PoseSpace, x: Array) -> Array:
-    """Joints (..., J, 3) of who casts the same silhouette: left for right, near for far.
+    """Joints (n, J, 3) of who casts the same silhouette: left for right, near for far.
 
     From afar a silhouette does not tell on which side of the image plane a limb is.
     """
     names = space.joint_names
     other = [names.index(_other_side(name)) for name in names]
-    return space.joints(x)[..., other, :] * (1, 1, -1)
+    return space.joints(x)[:, other] * (1, 1, -1)
 
 
 def _other_side(joint: str) -> str:
