@@ -19,7 +19,7 @@ from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import prepare, tidy
 from silpose.pose import PoseSpace
 from silpose.recording import Truth, record_modes
-from silpose.regression import among_themselves, choose_mixture
+from silpose.regression import among_themselves
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -39,13 +39,7 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
     described = prepare(rooms, run)
     space = described.data.space
     with run.stage("regression"):
-        model, rows = choose_mixture(
-            described.train,
-            described.validation,
-            rooms.candidates.mixture,
-            space.units,
-            space.distance,
-        )
+        model, rows = described.learn_mixture(rooms.candidates.mixture)
     z, x = (np.concatenate(part) for part in zip(*described.test, strict=True))
     z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
     with run.stage("evaluation"):

@@ -18,7 +18,7 @@ from silpose.experiments.training import tidy
 from silpose.pose import PoseSpace
 from silpose.progress import bar
 from silpose.recording import Truth, record_hypotheses
-from silpose.regression import MixtureOfRegressors, choose_mixture
+from silpose.regression import MixtureOfRegressors
 from silpose.run import Run
 from silpose.tracking import ManyTracks, MultipleHypothesisTracker, choose_hypotheses
 
@@ -45,13 +45,7 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
     learnt = learn_to_track(rooms, run)
     described, space = learnt.described, learnt.described.data.space
     with run.stage("regression"):
-        mixture, rows = choose_mixture(
-            described.train,
-            described.validation,
-            rooms.candidates.mixture,
-            space.units,
-            space.distance,
-        )
+        mixture, rows = described.learn_mixture(rooms.candidates.mixture)
     with run.stage("tracking"):
         settings = rooms.tracking.hypotheses
         tracker = choose_hypotheses(learnt.selection, settings, mixture, learnt.dynamics)

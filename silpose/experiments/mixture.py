@@ -26,7 +26,6 @@ from silpose.regression import (
     MixtureOfRegressors,
     RidgeRegressor,
     among_themselves,
-    choose_mixture,
 )
 from silpose.run import Run
 
@@ -50,13 +49,11 @@ def mixture(rooms: Rooms, run: Run, gmr: Sequence[int]) -> None:
         Components that the peer `gmr` may have; it is left out where the package is missing.
     """
     described = prepare(rooms, run)
-    space, settings = described.data.space, rooms.candidates.mixture
+    space = described.data.space
     with run.stage("regression"):
         ridge = described.learn(rooms.candidates, ["ridge"]).regressors["ridge"]
         assert isinstance(ridge, RidgeRegressor)
-        model, rows = choose_mixture(
-            described.train, described.validation, settings, space.units, space.distance
-        )
+        model, rows = described.learn_mixture(rooms.candidates.mixture)
     z, x = (np.concatenate(part) for part in zip(*described.test, strict=True))
     z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
     with run.stage("evaluation"):

@@ -14,7 +14,14 @@ from silpose.evaluation import baselines, measure
 from silpose.experiments.descriptors import describe, learn_descriptor
 from silpose.experiments.rooms import Rooms
 from silpose.model import PoseModel
-from silpose.regression import Candidates, Chosen, Regressor
+from silpose.regression import (
+    Candidates,
+    Chosen,
+    MixtureOfRegressors,
+    MixtureSettings,
+    Regressor,
+    choose_mixture,
+)
 from silpose.run import Run
 
 Array = NDArray[np.float64]
@@ -51,6 +58,15 @@ class Described:
         space = self.data.space
         units = space.units if part is None else space.units[space.parts[part]]
         return candidates.choose(methods, train, validation, self.error(part), units, self.groups)
+
+    def learn_mixture(
+        self, settings: MixtureSettings
+    ) -> tuple[MixtureOfRegressors, list[dict[str, object]]]:
+        """Fit the mixture of regressors likeliest on validation; give the account of it, too."""
+        space = self.data.space
+        return choose_mixture(
+            self.train, self.validation, settings, space.units, space.distance, self.groups
+        )
 
     @property
     def groups(self) -> list[str] | None:

@@ -59,6 +59,7 @@ def choose_mixture(
     settings: MixtureSettings,
     units: ArrayLike,
     distance: Callable[[Array, Array], Array],
+    groups: Sequence[str] | None = None,
 ) -> tuple[MixtureOfRegressors, list[dict[str, object]]]:
     """Fit the mixture of highest held-out likelihood, then calibrate the weights of its modes.
 
@@ -71,6 +72,8 @@ def choose_mixture(
         What one unit of error is in each output.
     distance : callable
         Between true poses (n, 1, D) and modes (n, k, D): which is nearest to the truth?
+    groups : sequence of str, optional
+        Of each training sequence; these take turns then.
 
     Returns
     -------
@@ -78,7 +81,7 @@ def choose_mixture(
     rows : list of dict
         Settings with ``validation_log_likelihood`` per frame.
     """
-    pairs = folds(train, validation)
+    pairs = folds(train, validation, groups=groups)
     clusters = numbers(settings.clusters, "mixture.clusters")
     temperatures = numbers(settings.temperature, "mixture.temperature")
     widths = numbers(settings.noise_width, "mixture.noise_width")
