@@ -59,6 +59,21 @@ class ConditionalDensity:
         own = np.maximum(self.noise_width * self.experts.noises, self.floor**2)
         return np.vstack([own, np.ones(own.shape[1])])
 
+    def answers(self, psi: Array, least: float) -> tuple[Array, Array, Array]:
+        """Log weights, means and variances of components that matter to one input (1, d).
+
+        Their shares π_k are left out: components weigh as if all were as frequent.
+        """
+        shares = self.experts.log_shares
+        log_weights = self.log_weights(psi)[0] - np.append(shares, shares.mean())
+        matter = log_weights > log_weights.max() + np.log(least)
+        matter[-1] = True
+        own = np.flatnonzero(matter[:-1])
+        means = np.vstack(
+            [self.experts.means(psi, own)[0], np.zeros(self.experts.offsets.shape[1])]
+        )
+        return log_weights[matter], means, self.variances()[matter]
+
     def blocks(self, psi: Array) -> Iterator[tuple[Array, Array]]:
         """Log weights and means, for a few inputs at a time."""
         for start in range(0, len(psi), _BLOCK):

@@ -223,23 +223,28 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         weights = some * sharpened(weights, self.sharpness)[:, :k]
         return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
-    def components(self, z: ArrayLike) -> tuple[Array, Array, Array]:
-        """Give every component by itself, and last the one that stands for none of them.
+    def answers(self, z: ArrayLike, least: float = 1e-9) -> tuple[Array, Array, Array]:
+        """Give the components that may have an answer to one input.
+
+        What is expected is not counted here, but for whoever has an expectation of their own to
+        be added: components weigh as if all were as frequent, π_k being the same.
 
         Parameters
         ----------
-        z : array-like, shape (n, d)
+        z : array-like, shape (d,)
+        least : float
+            Weight below which a component has nothing to say.
 
         Returns
         -------
-        log_weights : ndarray, shape (n, K + 1)
-            log π_k(z).
-        means : ndarray, shape (n, K + 1, D)
-        variances : ndarray, shape (K + 1, D)
+        log_weights : ndarray, shape (K',)
+        means, variances : ndarray, shape (K', D)
+            Last among them is the one that stands for none.
         """
-        density, psi = self._density, self._psi(z)
-        means = density.means(psi) * self.scale_ + self.mean_
-        return density.log_weights(psi), means, self.variances()
+        log_weights, means, variances = self._density.answers(
+            self._psi(np.asarray(z, dtype=float)[None]), least
+        )
+        return log_weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
     def variances(self) -> Array:
         """Diagonals of Λ_k, and the variance of anything, shape (K + 1, D)."""

@@ -214,7 +214,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         """Track one frame more: its pose (D,) and state, from its descriptor (d,)."""
         check_is_fitted(self)
         z = np.asarray(z, dtype=float)
-        self._run.step(self._components(z) if np.isfinite(z).all() else None)
+        self._run.step(Components(*self.mixture_.answers(z)) if np.isfinite(z).all() else None)
         return self._run.estimate(), self._run.state
 
     def modes(self, k: int) -> tuple[Array, Array]:
@@ -224,10 +224,3 @@ class MultipleHypothesisTracker(BaseEstimator):
         """
         weights, means = self._run.modes
         return weights[:k], means[:k]
-
-    def _components(self, z: Array) -> Components:
-        log_weights, means, variances = self.mixture_.components(z[None])
-        # What is expected comes from the past. That a component's poses are frequent as such,
-        # which its share says, is not to count as well.
-        shares = self.mixture_.experts_.log_shares
-        return Components(log_weights[0] - np.append(shares, shares.mean()), means[0], variances)
