@@ -223,7 +223,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         weights = some * sharpened(weights, self.sharpness)[:, :k]
         return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
-    def answers(self, z: ArrayLike, least: float = 1e-9) -> tuple[Array, Array, Array]:
+    def answers(self, z: ArrayLike, least: float = 1e-6) -> tuple[Array, Array, Array]:
         """Give the components that may have an answer to one input.
 
         What is expected is not counted here, but for whoever has an expectation of their own to

@@ -36,6 +36,9 @@ def distinct_modes(
     left = weights.copy()
     found = []
     for _ in range(count):
+        if found and not left.any():  # none is left to gather around: the rest weighs nothing
+            found.append((np.zeros(len(weights)), *found[0][1:]))
+            continue
         heaviest = left.argmax(axis=1)
         apart = (means - means[rows, heaviest][:, None]) ** 2
         apart /= variances + variances[heaviest][:, None]
