@@ -115,20 +115,26 @@ plt.legend()
 plt.show()
 
 # %% [markdown]
-# **6. Watch it.** The brighter a skeleton, the more probable; the true one is blue. See how often
-# the second mode is the right one.
+# **6. Which one is it?** One silhouette does not say. Those before it do: a tracker carries several
+# hypotheses on, and what comes next decides between them.
+
+# %%
+from silpose.tracking import MultipleHypothesisTracker
+
+tracks = MultipleHypothesisTracker(mixture).fit(train).track(z)
+tracked = space.distance(x, tracks.x)
+print(f"most probable mode {off[:, 0].mean():.2f}° off, tracked {tracked.mean():.2f}°")
+
+# %% [markdown]
+# **7. Watch it.** Left what each silhouette says by itself, right what the tracker makes of it; the
+# brighter a skeleton, the more probable. The true one is blue.
 
 # %%
 from pathlib import Path
 
-from silpose.recording import Header, Truth, record_modes, show
+from silpose.recording import Header, Truth, record_hypotheses, show
 
-best = {"mixture_top1": off[:, 0], "mixture_best4": off[:, :4].min(axis=1)}
-truth = Truth.of(test, rooms.camera, best, space)
-header = Header("ambiguity", "notebook", Path("ambiguity.rrd"), f"test of {test.performer}")
-record_modes(header, test, truth, weights[:, :4], modes[:, :4], space)
+truth = Truth.of(test, rooms.camera, {"mixture_top1": off[:, 0], "hypotheses": tracked}, space)
+header = Header("hypotheses", "notebook", Path("ambiguity.rrd"), f"test of {test.performer}")
+record_hypotheses(header, test, truth, (weights[:, :4], modes[:, :4]), tracks, space)
 show(header.file)
-
-# %% [markdown]
-# **7. Which one is it?** One silhouette does not say. Those before it do: `04_tracking` carries
-# its belief from frame to frame.
