@@ -143,3 +143,17 @@ def test_another_frame_rate_is_refused(tracker, unseen):
 def test_more_modes_than_there_can_be_are_refused(tracker, unseen):
     with pytest.raises(InputError, match="1 to 8 modes"):
         tracker.track(unseen[0], modes=9)
+
+
+def test_identical_frames_are_answered_by_the_only_pose(walk):
+    z, x = (np.repeat(values[:1], 30, axis=0) for values in walk(5))
+    tracker = MultipleHypothesisTracker(MixtureOfRegressors(3)).fit([(z, x)])
+    track = tracker.track(z)
+    assert track.x == pytest.approx(x)
+    assert track.state[-1] == "tracking"
+
+
+def test_two_frames_tell_no_dynamics(walk):
+    z, x = walk(2)
+    with pytest.raises(InputError, match="three frames"):
+        MultipleHypothesisTracker(MixtureOfRegressors(1)).fit([(z, x)])
