@@ -90,3 +90,6 @@ class SecondOrderDynamics(BaseEstimator):
         while len(poses) < frames:
             poses.append(self.predict(poses[-1], poses[-2]))
         return np.array(poses[:frames])
+
+
+LEARNT_DYNAMICS = ("mean_", "scale_", "coef_")

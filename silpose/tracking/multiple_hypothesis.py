@@ -20,7 +20,9 @@ from sklearn.utils.validation import check_is_fitted
 
 from silpose.errors import InputError
 from silpose.regression import MixtureOfRegressors
-from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.regression.saved_mixture import mixture_from, mixture_state
+from silpose.saved import State, part, restored, state_of, under
+from silpose.tracking.dynamics import LEARNT_DYNAMICS, SecondOrderDynamics
 from silpose.tracking.frame_rate import check_rate
 from silpose.tracking.hypotheses import Components
 from silpose.tracking.hypothesis_filter import MODES, Expectations, HypothesisFilter
@@ -79,6 +81,10 @@ class MultipleHypothesisTracker(BaseEstimator):
     ----------
     mixture_, dynamics_
         Fitted.
+    mean_, variance_ : ndarray, shape (D,)
+        Of training poses.
+    typical_ : ndarray, shape (D,)
+        Variance of the mixture's answers.
     noise_ : ndarray, shape (D,)
         Variance of a prediction, the diagonal of Q.
     """
@@ -115,7 +121,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         sequences : sequence of (z, x)
             Descriptors (F, d) and poses (F, D) of each training take.
         """
-        z, x = (np.concatenate(part) for part in zip(*sequences, strict=True))
+        z, x = (np.concatenate(own) for own in zip(*sequences, strict=True))
         takes = [own for _, own in sequences]
         mixture = clone(self.mixture or MixtureOfRegressors()).fit(z, x)
         dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(takes)
@@ -134,13 +140,10 @@ class MultipleHypothesisTracker(BaseEstimator):
             raise InputError(f"fresh is a probability between 0 and 1, not {self.fresh}")
         self.mixture_, self.dynamics_ = mixture, dynamics
         every = np.concatenate(poses)
+        self.mean_, self.variance_ = every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9)
         off = [x[2:] - dynamics.predict(x[1:-1], x[:-2]) for x in poses if len(x) > 2]
-        typical = mixture.variances()[:-1].mean(axis=0)
-        self.noise_ = np.concatenate(off).var(axis=0) + self.drift * typical
-        self._expected = Expectations(
-            dynamics, every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9), self.noise_, typical,
-            self.count, self.trust, self.past, self.fresh, self.surprise,
-        )  # fmt: skip
+        self.typical_ = mixture.variances()[:-1].mean(axis=0)
+        self.noise_ = np.concatenate(off).var(axis=0) + self.drift * self.typical_
         return self.start()
 
     def track(
@@ -205,7 +208,11 @@ class MultipleHypothesisTracker(BaseEstimator):
             How many frames back `estimate` will be asked for.
         """
         check_is_fitted(self)
-        self._run = HypothesisFilter(self._expected, max(lag + 1, 2), self.random_state)
+        expected = Expectations(
+            self.dynamics_, self.mean_, self.variance_, self.noise_, self.typical_, self.count,
+            self.trust, self.past, self.fresh, self.surprise,
+        )  # fmt: skip
+        self._run = HypothesisFilter(expected, max(lag + 1, 2), self.random_state)
         if initial is not None:
             self._run.know(np.atleast_2d(np.asarray(initial, dtype=float)))
         return self
@@ -224,3 +231,22 @@ class MultipleHypothesisTracker(BaseEstimator):
         """
         weights, means = self._run.modes
         return weights[:k], means[:k]
+
+    def state(self) -> State:
+        """Give parameters and what was learnt, as arrays, numbers and words."""
+        check_is_fitted(self)
+        own = state_of(self, _LEARNT)
+        dynamics = state_of(self.dynamics_, LEARNT_DYNAMICS)
+        return own | under("mixture", mixture_state(self.mixture_)) | under("dynamics", dynamics)
+
+    @classmethod
+    def from_state(cls, state: State) -> MultipleHypothesisTracker:
+        """Restore what `state` gave."""
+        tracker = restored(cls, state, _LEARNT)
+        tracker.mixture_ = mixture_from(part("mixture", state))
+        dynamics = part("dynamics", state)
+        tracker.dynamics_ = restored(SecondOrderDynamics, dynamics, LEARNT_DYNAMICS)
+        return tracker.start()
+
+
+_LEARNT = ("mean_", "variance_", "typical_", "noise_")

@@ -1,0 +1,34 @@
+"""A mixture of regressors as arrays and numbers, and back."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import numpy as np
+from sklearn.utils.validation import check_is_fitted
+
+from silpose.regression.experts import Experts
+from silpose.regression.mixture import MixtureOfRegressors
+from silpose.regression.reduction import PoseDirections
+from silpose.saved import State, part, restored, state_of, under
+
+_MIXTURE = ("mean_", "scale_", "varies_", "anywhere_", "n_features_in_", "_single")
+_REDUCTION = ("mean_", "components_")
+
+
+def mixture_state(mixture: MixtureOfRegressors) -> State:
+    """Give what is needed to answer."""
+    check_is_fitted(mixture)
+    experts = {field.name: getattr(mixture.experts_, field.name) for field in fields(Experts)}
+    reduction = state_of(mixture.reduction_, _REDUCTION)
+    own = state_of(mixture, _MIXTURE)
+    return own | under("experts", experts) | under("reduction", reduction)
+
+
+def mixture_from(state: State) -> MixtureOfRegressors:
+    """Restore what `mixture_state` gave."""
+    mixture = restored(MixtureOfRegressors, state, _MIXTURE)
+    experts = {name: np.asarray(value) for name, value in part("experts", state).items()}
+    mixture.experts_ = Experts(**experts)
+    mixture.reduction_ = restored(PoseDirections, part("reduction", state), _REDUCTION)
+    return mixture

@@ -1,0 +1,48 @@
+"""Estimators as arrays, numbers and words, which is what a model's file holds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeVar
+
+import numpy as np
+from sklearn.base import BaseEstimator
+
+State = dict[str, Any]
+Kind = TypeVar("Kind", bound=BaseEstimator)
+
+
+def state_of(estimator: BaseEstimator, learnt: Sequence[str]) -> State:
+    """Give an estimator's parameters, but for None and other estimators, and what it learnt."""
+    parameters = {
+        name: value
+        for name, value in estimator.get_params(deep=False).items()
+        if value is not None and not isinstance(value, BaseEstimator)
+    }
+    return parameters | {name: getattr(estimator, name) for name in learnt}
+
+
+def restored(kind: type[Kind], state: State, learnt: Sequence[str]) -> Kind:
+    """Make the estimator whose `state_of` this was."""
+    plain = {name: _plain(value) for name, value in state.items()}
+    names = kind().get_params(deep=False)
+    estimator = kind(**{name: plain.get(name) for name in names})
+    for name in learnt:
+        setattr(estimator, name, plain[name])
+    return estimator
+
+
+def under(prefix: str, state: State) -> State:
+    """Put a part's state below its name."""
+    return {f"{prefix}.{name}": value for name, value in state.items()}
+
+
+def part(prefix: str, state: State) -> State:
+    """Take the state of a part out."""
+    start = f"{prefix}."
+    return {n.removeprefix(start): v for n, v in state.items() if n.startswith(start)}
+
+
+def _plain(value: Any) -> Any:
+    array = np.asarray(value)
+    return array if array.ndim else array.item()
