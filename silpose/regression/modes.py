@@ -34,7 +34,7 @@ def distinct_modes(
     """
     rows = np.arange(len(weights))
     left = weights.copy()
-    found = []
+    found: list[tuple[Array, Array, Array]] = []
     for _ in range(count):
         if found and not left.any():  # none is left to gather around: the rest weighs nothing
             found.append((np.zeros(len(weights)), *found[0][1:]))
