@@ -30,24 +30,24 @@ _FEW = 700  # kernels of the paper's tracker while its widths are being chosen
 def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
     """Fit the tracker whose kernel widths are best when it may not wait."""
 
-    def tracker(pose_width: float, descriptor_width: float) -> Tracker:
+    def tracker(**widths: float) -> Tracker:
         return Tracker(
             selection.space.name,
             settings.keep,
-            pose_width,
-            descriptor_width,
-            settings.restart,
-            selection.frames_per_second,
-            settings.random_state,
+            restart=settings.restart,
+            frames_per_second=selection.frames_per_second,
+            random_state=settings.random_state,
+            **widths,
         )
 
     def family(learnt: Examples) -> Maker:
-        keys = tracker(1, 1).key_poses(learnt)  # serve all widths
+        keys = tracker().key_poses(learnt)  # serve all widths
         return lambda **widths: lambda z, _: tracker(**widths).take(keys).track(z).x
 
     grid = {
         "pose_width": settings.pose_width,
         "descriptor_width": settings.descriptor_width,
+        "damping": settings.damping,
     }
     return tracker(**selection.best("tracker", grid, family)).fit(selection.train)
 
