@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-_HEARD = 32  # examples of most weight; more hardly matter, but cost
+_HEARD = 64  # examples of most weight; more hardly matter, but cost
 
 
 def regress_locally(
