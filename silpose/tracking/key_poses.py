@@ -98,9 +98,10 @@ class KeyPoses:
 
 def squared_distances(a: Array, b: Array) -> Array:
     """Squared Euclidean distances of rows, shape (n, m)."""
-    inner = a @ b.T
-    squares = (a**2).sum(axis=1)[:, None] + (b**2).sum(axis=1)
-    return np.maximum(squares - 2 * inner, 0)
+    distances = a @ (-2 * b.T)  # large: change it in place
+    distances += (a**2).sum(axis=1)[:, None]
+    distances += (b**2).sum(axis=1)
+    return np.maximum(distances, 0, out=distances)
 
 
 def _following(take: Array) -> Array:

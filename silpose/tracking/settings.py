@@ -23,8 +23,8 @@ class TrackerSettings:
 
     keep: float = 0.18
     pose_width: Values = field(default_factory=lambda: [0.2, 0.3, 0.45, 0.7, 1.0])
-    descriptor_width: Values = field(default_factory=lambda: [0.6, 0.8, 1.0, 1.3, 1.6])
-    damping: Values = 1.0
+    descriptor_width: Values = field(default_factory=lambda: [0.6, 0.8, 1.0, 1.3, 1.6, 2.0])
+    damping: Values = field(default_factory=lambda: [1.0, 4.0])
     restart: float = 1e-6
     lag: float = 0.5
     random_state: int | None = 0
