@@ -22,7 +22,7 @@ if __name__ == "__main__":
     cv2.setNumThreads(1)
     with threadpool_limits(1):
         started = perf_counter()
-        tracker = Tracker(pose_width=0.7, descriptor_width=0.6).fit(train)
+        tracker = Tracker(pose_width=0.7, descriptor_width=0.8, damping=4.0).fit(train)
         fitted = perf_counter() - started
         model = PoseModel(descriptor, RidgeRegressor(), data.space, 15.0, tracker)
         took = []
