@@ -27,7 +27,7 @@ def regress_locally(
     seen : ndarray, shape (d,)
         Where to evaluate; with NaN, for nothing, the mean pose is all that can be said.
     damping : float
-        Of the squared slope: the variance of a descriptor's elements that poses do not explain.
+        λ of the squared slope: the larger, the nearer the pose stays to the weighted mean.
 
     Returns
     -------
