@@ -21,7 +21,7 @@ if __name__ == "__main__":
     frames = sum(len(x) for _, x in train)
     mixture = MixtureOfRegressors(120, hellinger=True, units=data.space.units)
     trackers = {
-        "belief": Tracker(pose_width=0.7, descriptor_width=0.6),
+        "belief": Tracker(pose_width=0.7, descriptor_width=0.8, damping=4.0),
         "hypotheses": MultipleHypothesisTracker(mixture),
     }
     cv2.setNumThreads(1)

@@ -43,7 +43,7 @@ from silpose.tracking import Tracker
 
 single = RidgeRegressor(Basis(width=2, hellinger=True), damping=0.1)
 single.fit(np.concatenate([z for z, _ in train]), poses(data.train))
-tracker = Tracker(pose_width=0.7, descriptor_width=0.6).fit(train)
+tracker = Tracker(pose_width=0.7, descriptor_width=0.8, damping=4.0).fit(train)
 track = tracker.track(z, lag=7)
 estimates = {
     "ridge": single.predict(z),

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from silpose.descriptor import ShapeContextHistogram
+from silpose.descriptor import Description, ShapeContextHistogram
 from silpose.errors import InputError
 from silpose.motion import Motion, save_bvh
 from silpose.pose import SPACES, AnglePoseSpace, PoseSpace
@@ -152,16 +152,7 @@ class PoseModel:
 
     def look(self, masks: str | Path | Masks, blank: str = "error") -> Look:
         """Estimate poses as `predict` does, and keep every step."""
-        if isinstance(masks, str | Path):
-            masks = read_masks(masks, blank)
-        frames = [np.asarray(mask) for mask in masks]
-        if blank == "error":
-            seen = np.arange(len(frames))  # the descriptor names a blank one
-        elif blank == "nan":
-            seen = np.flatnonzero([np.any(mask) for mask in frames])
-        else:
-            raise InputError(f"blank is 'error' or 'nan', not '{blank}'")
-        described = self._descriptor().describe([frames[f] for f in seen])
+        frames, seen, described = self._describe(masks, blank)
         z = np.stack([d.z for d in described])
         points = [np.empty((0, 2), np.int32)] * len(frames)
         nearest = [np.empty(0, np.int32)] * len(frames)
@@ -194,7 +185,8 @@ class PoseModel:
             Of the masks, if known: refused if the tracker was trained at another rate.
         """
         tracker = self._tracker()
-        z = self.look(masks, blank="nan").z
+        frames, seen, described = self._describe(masks, blank="nan")
+        z = _spread(np.stack([d.z for d in described]), seen, len(frames))
         return tracker.track(z, lag=lag, frames_per_second=frames_per_second)
 
     def stream(self) -> Callable[[ArrayLike], tuple[Array, str]]:
@@ -207,6 +199,21 @@ class PoseModel:
             return tracker.step(descriptor.transform([mask])[0] if seen else blank)
 
         return step
+
+    def _describe(
+        self, masks: str | Path | Masks, blank: str
+    ) -> tuple[list[NDArray[Any]], NDArray[np.intp], list[Description]]:
+        """Give masks, which of them are described, and their descriptions."""
+        if isinstance(masks, str | Path):
+            masks = read_masks(masks, blank)
+        frames = [np.asarray(mask) for mask in masks]
+        if blank == "error":
+            seen = np.arange(len(frames))  # the descriptor names a blank one
+        elif blank == "nan":
+            seen = np.flatnonzero([np.any(mask) for mask in frames])
+        else:
+            raise InputError(f"blank is 'error' or 'nan', not '{blank}'")
+        return frames, seen, self._descriptor().describe([frames[f] for f in seen])
 
     def _tracker(self) -> Tracker:
         if self.tracker is None:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from silpose.dataset import Shot, photograph
 from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms
+from silpose.experiments.rooms import Rooms, studio_of
 from silpose.recording import record_study
 from silpose.run import Run
 from silpose.silhouette import BODIES, DEGRADATIONS, LEVELS, Body, Camera, degrade
@@ -38,12 +38,10 @@ def contact_sheet(
     strengths : sequence of float
         Of rows of degradations, each column suffering another kind.
     """
-    if rooms.studio is None:
-        raise InputError("contact_sheet photographs motion: a file holds no bodies or cameras")
+    studio = studio_of(rooms, run)
     if min(cameras, bodies) < 1:
         raise InputError("cameras and bodies must be at least 1")
     with run.stage("masks"):
-        studio = rooms.studio
         takes = [studio.takes[k % len(studio.takes)] for k in range(max(cameras, bodies))]
         shots = replace(studio.scenes, frames=None).shots(takes, studio.body, studio.camera)
         rows = _kinds() + [(_shape_text(shot.body), shot.body) for shot in shots[:bodies]]

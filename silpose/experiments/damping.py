@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
-from sklearn.base import clone
 
 from silpose.errors import InputError
 from silpose.evaluation import measure
@@ -42,9 +40,7 @@ def damping(rooms: Rooms, run: Run, values: Sequence[float]) -> None:
     with run.stage("tracking"):
         for s in [*sorted(values), None]:
             name = "full C" if s is None else f"s={s:g}"
-            regressor = clone(learnt.joint.regressor).set_params(linear=s)
-            tracker = replace(learnt.joint, dynamics=clone(learnt.dynamics), regressor=regressor)
-            tracker.fit(described.train)
+            tracker = learnt.joint_with(linear=s)
             tracks = [tracker.track(z, x[:2])[0] for z, x in described.test]
             true = np.concatenate([x for _, x in described.test])
             metrics[name] = measure(space, true, np.concatenate(tracks), x_train)

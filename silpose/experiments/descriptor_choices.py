@@ -19,7 +19,7 @@ from sklearn.base import clone
 from silpose.dataset import Dataset, poses
 from silpose.errors import InputError
 from silpose.experiments.descriptors import examples, learn_descriptor
-from silpose.experiments.rooms import Rooms, masks_of
+from silpose.experiments.rooms import Rooms, want_masks
 from silpose.experiments.training import Described
 from silpose.progress import bar
 from silpose.recording import record_study
@@ -56,8 +56,7 @@ def descriptor_choices(
         raise InputError("there is nothing to choose: name choices and seeds")
     with run.stage("masks"):
         data = rooms.dataset()
-        for take in (*data.train, *data.validation, *data.test):
-            masks_of(take, run)
+        want_masks([*data.train, *data.validation, *data.test], run)
     tried: list[tuple[dict[str, object], str, object]] = [({}, "usual", None)]
     tried += [
         ({name: value}, name, value)

@@ -20,7 +20,7 @@ from silpose.descriptor import AlignedMask, HuMoments
 from silpose.errors import InputError
 from silpose.experiments.descriptors import Descriptor, examples
 from silpose.experiments.robustness_figure import TAUGHT, Masks, Rows, robustness_figure
-from silpose.experiments.rooms import Rooms, masks_of
+from silpose.experiments.rooms import Rooms, masks_of, studio_of
 from silpose.experiments.training import Described, compare
 from silpose.recording import record_study
 from silpose.regression import Candidates, Regressor
@@ -73,8 +73,7 @@ def descriptor_robustness(
     """
     if not kinds or not strengths or every < 1 or not 0 < damage < 1:
         raise InputError("name kinds and strengths; every is at least 1, damage between 0 and 1")
-    if rooms.studio is None:
-        raise InputError("descriptor_robustness wants masks: these data hold descriptors only")
+    studio = studio_of(rooms, run)
     for strength in strengths:
         Degradation(test=kinds, strength=strength)  # which complains before time is spent
     lessons = Degradation([*4 * kinds, *["none"] * len(kinds)], [], [0.0, taught], rooms.seed)
@@ -83,7 +82,7 @@ def descriptor_robustness(
         whole = [mask for take in data.test for mask in masks_of(take, run)][::every]
         true = np.concatenate([take.x for take in data.test])[::every]
     with run.stage("regression"):
-        hurt = replace(rooms.studio, degradation=lessons).dataset()
+        hurt = replace(studio, degradation=lessons).dataset()
         eyes, described = _teach(rooms, data, hurt)
         estimates, _ = compare(described, {})
     metrics = {

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
-from sklearn.base import clone
 
 from silpose.errors import InputError
 from silpose.evaluation import thigh_swing
@@ -50,16 +48,15 @@ def extinction(
     longest = max(range(len(names)), key=lambda k: len(described.train[k][1]))
     sequences = [described.train[k] for k in named or [longest]]
     with run.stage("tracking"):
-        chosen = learnt.joint.regressor
+        chosen = learnt.joint.regressor.pose_width
         z, x = described.test[0]
         tracks = {}
         for factor in (1, *narrower):
-            regressor = clone(chosen).set_params(
-                centres=kernels, keep_at_most=None, pose_width=chosen.pose_width * factor**2
+            tracker = learnt.joint_with(
+                sequences, centres=kernels, keep_at_most=None, pose_width=chosen * factor**2
             )
-            tracker = replace(learnt.joint, dynamics=clone(learnt.dynamics), regressor=regressor)
             name = "as chosen" if factor == 1 else f"{factor:g} times narrower"
-            tracks[name] = _by_heading(tracker.fit(sequences)).track(z, x[:2])
+            tracks[name] = _by_heading(tracker).track(z, x[:2])
     metrics = {
         name: {
             space.metrics[0]: float(space.distance(x, estimated).mean()),

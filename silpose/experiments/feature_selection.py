@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms
+from silpose.experiments.rooms import Rooms, masks_of
 from silpose.experiments.training import prepare
 from silpose.recording import record_features
 from silpose.regression import check_methods
@@ -35,14 +35,13 @@ def feature_selection(rooms: Rooms, run: Run, method: str, samples: int) -> None
         raise InputError(f"samples must be at least 1, not {samples}")
     described = prepare(rooms, run)
     take = described.data.test[0]
-    if described.descriptor is None or take.masks is None:
-        raise InputError("feature_selection wants masks: these data hold descriptors only")
+    masks = masks_of(take, run)
+    assert described.descriptor is not None, "there are masks"
     bins: dict[str, NDArray[np.intp]] = {}
     with run.stage("regression"):
         for part in described.data.space.parts:
             chosen = described.learn(rooms.candidates, [method], part)
             bins[part] = chosen.regressors[method].relevance_
-    masks = np.asarray(take.masks)
     seen = described.descriptor.describe(masks)
     marked = {
         part: [np.isin(description.nearest, own) for description in seen]

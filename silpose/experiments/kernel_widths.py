@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -71,11 +70,9 @@ def kernel_widths(rooms: Rooms, run: Run, factors: Sequence[float]) -> None:
 def _joint(learnt: Learnt) -> Callable[[float, float], Estimate]:
     def make(on_x: float, on_z: float) -> Estimate:
         chosen = learnt.joint.regressor
-        regressor = clone(chosen).set_params(
+        tracker = learnt.joint_with(
             pose_width=chosen.pose_width * on_x, descriptor_width=chosen.descriptor_width * on_z
         )
-        tracker = replace(learnt.joint, dynamics=clone(learnt.dynamics), regressor=regressor)
-        tracker.fit(learnt.described.train)
         return lambda z, start: tracker.track(z, start)[0]
 
     return make

@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from silpose.dataset import Dataset
 from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms
+from silpose.experiments.rooms import Rooms, want_masks
 from silpose.pose import PoseSpace, wrap_degrees
 from silpose.recording import record_study
 from silpose.run import Run
@@ -64,8 +64,7 @@ def lookalikes(rooms: Rooms, run: Run, pairs: int, overlap: float, frames: int) 
         raise InputError("overlap is between 0 and 1, pairs at least 1 and frames at least 2")
     with run.stage("masks"):
         data = rooms.dataset()
-    if any(take.masks is None for take in data.train):
-        raise InputError("lookalikes wants masks: these data hold descriptors only")
+    want_masks(data.train, run)
     with run.stage("search"):
         seen = Frames.sample(data, frames)
         small = _small_overlaps(seen.masks)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -71,6 +71,18 @@ class Rooms:
 
 def masks_of(take: Take, run: Run) -> NDArray[np.uint8]:
     """Masks of a take, without which an experiment cannot go on."""
-    if take.masks is None:
-        raise InputError(f"{run.experiment} wants masks: these data hold descriptors only")
+    want_masks([take], run)
     return np.asarray(take.masks)
+
+
+def want_masks(takes: Sequence[Take], run: Run) -> None:
+    """Refuse data without masks before time is spent on them."""
+    if any(take.masks is None for take in takes):
+        raise InputError(f"{run.experiment} wants masks: these data hold descriptors only")
+
+
+def studio_of(rooms: Rooms, run: Run) -> Studio:
+    """Where motion is photographed, for experiments that vary how."""
+    if rooms.studio is None:
+        raise InputError(f"{run.experiment} photographs motion: it cannot vary what a file holds")
+    return rooms.studio

@@ -7,10 +7,11 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
+from sklearn.base import clone
 
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import Described, prepare
+from silpose.experiments.training import Described, Examples, prepare
 from silpose.regression import RidgeRegressor
 from silpose.run import Run
 from silpose.tracking import (
@@ -59,6 +60,20 @@ class Learnt:
     def joint(self) -> PointTracker:
         """The paper's tracker."""
         return choose_joint(self.selection, self.settings.joint, self.dynamics)
+
+    def joint_with(self, sequences: Examples | None = None, **settings: object) -> PointTracker:
+        """Fit the paper's tracker anew, some of its regressor's settings changed.
+
+        Parameters
+        ----------
+        sequences : sequence of (z, x), optional
+            Instead of all training sequences.
+        **settings
+            Of `StateSensitiveRegressor`.
+        """
+        regressor = clone(self.joint.regressor).set_params(**settings)
+        tracker = PointTracker(clone(self.dynamics), regressor, self.joint.samples)
+        return tracker.fit(self.described.train if sequences is None else sequences)
 
     @property
     def lag(self) -> int:

@@ -13,10 +13,9 @@ from numpy.typing import NDArray
 
 from silpose.dataset import Dataset, Scenes, Studio
 from silpose.dataset import Sequence as Take
-from silpose.errors import InputError
 from silpose.evaluation import baselines
 from silpose.experiments.descriptors import describe
-from silpose.experiments.rooms import Rooms
+from silpose.experiments.rooms import Rooms, studio_of
 from silpose.experiments.training import Described, described
 from silpose.progress import bar
 from silpose.recording import record_study
@@ -66,14 +65,13 @@ def training_data(
         The same, of the second test.
     """
     check_methods(methods)
-    if rooms.studio is None:
-        raise InputError("training_data photographs motion: it cannot vary what a file holds")
+    studio = studio_of(rooms, run)
     rows: list[dict[str, object]] = []
     series: dict[str, Array] = {}
     with bar("training sets", len(frames) * len(seeds) * len(varieties)) as advance:
-        for trial in _trials(rooms, run, rooms.studio, methods, frames, seeds, varieties):
+        for trial in _trials(rooms, run, studio, methods, frames, seeds, varieties):
             test = trial.described.data.test
-            tests = {PLAIN: test, STRANGE: rooms.studio.again(test, _scenes(rooms, strange))}
+            tests = {PLAIN: test, STRANGE: studio.again(test, _scenes(studio, strange))}
             with run.stage("evaluation"):
                 for name, takes in tests.items():
                     errors = _errors(trial, takes)
@@ -106,9 +104,8 @@ def training_data(
     run.write_metrics(trial.described.data.name, rooms.seed, metrics)
 
 
-def _scenes(rooms: Rooms, settings: Mapping[str, Any]) -> Scenes:
-    assert rooms.studio is not None
-    return replace(rooms.studio.scenes.plain(), **settings)
+def _scenes(studio: Studio, settings: Mapping[str, Any]) -> Scenes:
+    return replace(studio.scenes.plain(), **settings)
 
 
 def _trials(
@@ -124,7 +121,7 @@ def _trials(
         for variety, settings in varieties.items():
             for count in frames:
                 with run.stage("masks and descriptors"):
-                    scenes = replace(_scenes(rooms, settings), frames=count, seed=seed)
+                    scenes = replace(_scenes(studio, settings), frames=count, seed=seed)
                     data: Dataset = studio.dataset(scenes)
                     ready = described(replace(rooms, shelf=None), data)
                 with run.stage("regression"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,35 +20,40 @@ from silpose.tracking.settings import (
     RivalSettings,
     TrackerSettings,
 )
-from silpose.tracking.state_sensitive import StateSensitiveRegressor
+from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
 from silpose.tracking.tracker import Tracker
 
 Array = NDArray[np.float64]
 
-_FEW = 700  # kernels of the paper's tracker while its widths are being chosen
+_FEW_KERNELS = 700  # of the paper's tracker while its widths are being chosen
+_FEW_KEY_POSES = 1000  # of ours
 
 
 def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
     """Fit the tracker whose kernel widths are best when it may not wait."""
 
-    def tracker(pose_width: float, descriptor_width: float) -> Tracker:
+    def tracker(keep: float = settings.keep, **chosen: float) -> Tracker:
         return Tracker(
             selection.space.name,
-            settings.keep,
-            pose_width,
-            descriptor_width,
-            settings.restart,
-            selection.frames_per_second,
-            settings.random_state,
+            keep,
+            restart=settings.restart,
+            frames_per_second=selection.frames_per_second,
+            random_state=settings.random_state,
+            **chosen,
         )
 
     def family(learnt: Examples) -> Maker:
-        keys = tracker(1, 1).key_poses(learnt)  # serve all widths
-        return lambda **widths: lambda z, _: tracker(**widths).take(keys).track(z).x
+        frames = sum(len(x) for _, x in learnt)
+        keys = tracker(min(settings.keep, _FEW_KEY_POSES / frames)).key_poses(learnt)
+        fitted = cache(lambda pose_width: tracker(pose_width=pose_width).take(keys))
+        return lambda pose_width, **rest: (
+            lambda z, _: fitted(pose_width).set_params(**rest).track(z).x
+        )
 
     grid = {
         "pose_width": settings.pose_width,
         "descriptor_width": settings.descriptor_width,
+        "damping": settings.damping,
     }
     return tracker(**selection.best("tracker", grid, family)).fit(selection.train)
 
@@ -76,8 +82,8 @@ def choose_joint(
 ) -> PointTracker:
     """Fit the paper's tracker, its kernel widths the best."""
 
-    def tracker(centres: int, keep: float | None, **widths: float) -> PointTracker:
-        regressor = StateSensitiveRegressor(
+    def regressor(centres: int, keep: float | None, **widths: float) -> StateSensitiveRegressor:
+        return StateSensitiveRegressor(
             linear=settings.linear,
             damping=settings.damping,
             centres=centres,
@@ -85,12 +91,14 @@ def choose_joint(
             random_state=settings.random_state,
             **widths,
         )
-        return PointTracker(clone(dynamics), regressor, settings.samples)
 
     def family(learnt: Examples) -> Maker:
+        ahead = clone(dynamics).fit([x for _, x in learnt])
+        examples = observed_and_sampled(learnt, ahead, settings.samples)
+
         def estimate(**widths: float) -> Estimate:
-            fitted = tracker(min(_FEW, settings.centres), None, **widths).fit(learnt)
-            return lambda z, start: fitted.track(z, start)[0]
+            few = regressor(min(_FEW_KERNELS, settings.centres), None, **widths).fit(*examples)
+            return lambda z, start: PointTracker(ahead, few).track(z, start)[0]
 
         return estimate
 
@@ -99,7 +107,8 @@ def choose_joint(
         "descriptor_width": settings.descriptor_width,
     }
     best = selection.best("joint", grid, family)
-    return tracker(settings.centres, settings.keep_at_most, **best).fit(selection.train)
+    all_kernels = regressor(settings.centres, settings.keep_at_most, **best)
+    return PointTracker(clone(dynamics), all_kernels, settings.samples).fit(selection.train)
 
 
 def choose_rivals(

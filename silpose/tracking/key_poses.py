@@ -20,8 +20,6 @@ from silpose.regression.reduction import whitening
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
 
-_SHARED = 1.0  # damping of the regression within key poses, in mean variances of the inputs
-
 
 @dataclass(frozen=True)
 class KeyPoses:
@@ -42,8 +40,6 @@ class KeyPoses:
         Whitened.
     spread : float
         Mean squared distance of a frame's whitened descriptor to its key pose's.
-    slope : ndarray, shape (d, D)
-        Regression of pose on descriptor within key poses, shared by all.
     following : ndarray, shape (n, D)
         The pose after each training frame, standardised.
     members : csr_array, shape (K, n)
@@ -56,7 +52,6 @@ class KeyPoses:
     poses: Array
     descriptors: Array
     spread: float
-    slope: Array
     following: Array
     members: csr_array
 
@@ -80,11 +75,8 @@ class KeyPoses:
         seen = roots @ directions
         centres, descriptors = members @ poses, members @ seen
         within = seen - descriptors[labels]
-        gram = within.T @ within
-        gram.flat[:: len(gram) + 1] += _SHARED * max(np.trace(gram) / len(gram), 1e-12)
-        slope = np.linalg.solve(gram, within.T @ (poses - centres[labels]))
         spread = max(float((within**2).sum(axis=1).mean()), 1e-12)
-        return cls(mean, scale, directions, centres, descriptors, spread, slope, following, members)
+        return cls(mean, scale, directions, centres, descriptors, spread, following, members)
 
     def transitions(self, width: float, restart: float) -> Array:
         """Probability (K, K) that one key pose follows another, a frame later.
@@ -106,9 +98,10 @@ class KeyPoses:
 
 def squared_distances(a: Array, b: Array) -> Array:
     """Squared Euclidean distances of rows, shape (n, m)."""
-    inner = a @ b.T
-    squares = (a**2).sum(axis=1)[:, None] + (b**2).sum(axis=1)
-    return np.maximum(squares - 2 * inner, 0)
+    distances = a @ (-2 * b.T)  # large: change it in place
+    distances += (a**2).sum(axis=1)[:, None]
+    distances += (b**2).sum(axis=1)
+    return np.maximum(distances, 0, out=distances)
 
 
 def _following(take: Array) -> Array:

@@ -58,8 +58,9 @@ class PointTracker:
         for frame in range(2, len(z)):
             predicted = self.dynamics.predict(x[-1], x[-2])[None]
             predicted = np.clip(predicted, mean - reach, mean + reach)  # a lost one may run away
-            activations[frame] = self.regressor.activations(predicted, z[frame : frame + 1])[0]
-            x.append(self.regressor.predict(predicted, z[frame : frame + 1])[0])
+            estimated, kernels = self.regressor.explain(predicted, z[frame : frame + 1])
+            activations[frame] = kernels[0]
+            x.append(estimated[0])
         return np.array(x[: len(z)]), activations
 
 

@@ -23,6 +23,8 @@ Maker = Callable[..., Estimate]
 Family = Callable[[Examples], Maker]
 """Learns from sequences what all settings share; then makes an estimate of each setting."""
 
+_JUDGES = 600  # frames of each fold, or little more, that judge
+
 
 @dataclass
 class Selection:
@@ -54,7 +56,7 @@ class Selection:
 
         Errors of the folds, weighed by their frames, are averaged geometrically: what matters is
         by how many percent they differ. Else a sequence that resembles no other, and fails with
-        any setting, would decide.
+        any setting, would decide. Of a fold with many sequences every few judge.
 
         Parameters
         ----------
@@ -68,7 +70,10 @@ class Selection:
         settings = [dict(zip(grid, values, strict=True)) for values in product(*several)]
         if len(settings) == 1:
             return settings[0]
-        pairs = folds(self.train, self.validation, groups=self.groups)
+        pairs = [
+            (learnt, _spread(judged))
+            for learnt, judged in folds(self.train, self.validation, groups=self.groups)
+        ]
         errors = np.empty((len(pairs), len(settings)))
         with bar(method, errors.size) as advance:
             for row, (learnt, judged) in zip(errors, pairs, strict=True):
@@ -86,3 +91,8 @@ class Selection:
         """Mean distance over all frames."""
         distances = [self.space.distance(x, estimate(z, x[:2])) for z, x in judged]
         return float(np.concatenate(distances).mean())
+
+
+def _spread(sequences: Examples) -> Examples:
+    """Thin out sequences evenly, until they have few enough frames."""
+    return sequences[:: max(1, sum(len(x) for _, x in sequences) // _JUDGES)]

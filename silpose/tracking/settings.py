@@ -23,13 +23,14 @@ class TrackerSettings:
 
     keep: float = 0.18
     pose_width: Values = field(default_factory=lambda: [0.2, 0.3, 0.45, 0.7, 1.0])
-    descriptor_width: Values = field(default_factory=lambda: [0.6, 0.8, 1.0, 1.3, 1.6])
+    descriptor_width: Values = field(default_factory=lambda: [0.6, 0.8, 1.0, 1.3, 1.6, 2.0])
+    damping: Values = field(default_factory=lambda: [1.0, 4.0])
     restart: float = 1e-6
     lag: float = 0.5
     random_state: int | None = 0
 
     def __post_init__(self) -> None:
-        _check(self, "tracker", "keep", "pose_width", "descriptor_width")
+        _check(self, "tracker", "keep", "pose_width", "descriptor_width", "damping")
         if not self.lag >= 0:
             raise InputError(f"tracking.tracker.lag is 0 or more seconds, not {self.lag}")
 

@@ -115,6 +115,10 @@ class StateSensitiveRegressor(BaseEstimator):
 
     def predict(self, predicted: ArrayLike, z: ArrayLike) -> Array:
         """Estimate poses (n, D) from predictions (n, D) and descriptors (n, d)."""
+        return self.explain(predicted, z)[0]
+
+    def explain(self, predicted: ArrayLike, z: ArrayLike) -> tuple[Array, Array]:
+        """Estimate as `predict` does; give the kernels' values (n, k) too: K_x K_z of Eq. 10."""
         check_is_fitted(self)
         state = self._standard(predicted)
         kernels = self._kernels(state, np.sqrt(np.asarray(z, dtype=float)))
@@ -122,19 +126,18 @@ class StateSensitiveRegressor(BaseEstimator):
             estimated = np.hstack([kernels, state]) @ self.coef_ + self.intercept_
         else:
             estimated = self.linear * state + kernels @ self.coef_ + self.intercept_
-        return estimated * self.scale_ + self.mean_
-
-    def activations(self, predicted: ArrayLike, z: ArrayLike) -> Array:
-        """Kernel values K_x K_z (Eq. 10), shape (n, k)."""
-        return self._kernels(self._standard(predicted), np.sqrt(np.asarray(z, dtype=float)))
+        return estimated * self.scale_ + self.mean_, kernels
 
     def _standard(self, x: ArrayLike) -> Array:
         return (np.asarray(x, dtype=float) - self.mean_) / self.scale_
 
     def _kernels(self, state: Array, roots: Array) -> Array:
-        exponent = self.beta_x_ * squared_distances(state, self.centres_x_)
-        exponent += self.beta_z_ * squared_distances(roots, self.centres_z_)
-        return np.exp(-exponent)
+        on_x, on_z = np.sqrt([self.beta_x_, self.beta_z_])
+        exponent = squared_distances(
+            np.hstack([on_x * state, on_z * roots]),
+            np.hstack([on_x * self.centres_x_, on_z * self.centres_z_]),
+        )
+        return np.exp(np.negative(exponent, out=exponent), out=exponent)
 
 
 def observed_and_sampled(

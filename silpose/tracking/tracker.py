@@ -4,9 +4,10 @@ The paper predicts one pose x̌ and lets the kernels K_x(x̌, x_k) K_z(z, z_k) s
 silhouette z means. A wrong x̌ then selects wrongly, and feeds itself. Here the state is a belief
 a over the kernels. Kernel k is active by K_z(z, z_k), for what is seen, and for what is expected
 by the mean of K_x(·, x_k) over where each key pose i goes next, Σ_i a_i K_x(following_i, x_k).
-Normalised, the activations are the next belief, and the pose is their regression Σ_k a_k x_k,
-corrected linearly by how z differs from Σ_k a_k z_k. It is Bayesian filtering on exemplars, as in
-K. Toyama, A. Blake, "Probabilistic tracking in a metric space", ICCV 2001.
+Normalised, the activations are the next belief: Bayesian filtering on exemplars, as in K. Toyama,
+A. Blake, "Probabilistic tracking in a metric space", ICCV 2001. The pose is regressed, linearly in
+z, on the key poses (z_k, x_k) as far as they are believed in. So the belief settles which of the
+poses that look alike is meant, and the silhouette where between key poses it lies.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from silpose.pose import SPACES, PoseSpace
 from silpose.tracking.belief import Filter, reversed_time, revise
 from silpose.tracking.frame_rate import check_rate
 from silpose.tracking.key_poses import Examples, KeyPoses, squared_distances
+from silpose.tracking.local_regression import regress_locally
 
 Array = NDArray[np.float64]
 
@@ -62,6 +64,9 @@ class Tracker(BaseEstimator):
     descriptor_width : float
         Standard deviation of the descriptor kernel K_z, relative to how far a training frame
         lies from its key pose.
+    damping : float
+        λ of the regression on key poses, in units of a whitened descriptor's variance: about what
+        one varies by although the pose does not.
     restart : float
         Probability that the next pose has nothing to do with the last. At 0 the tracker never
         recovers.
@@ -87,6 +92,7 @@ class Tracker(BaseEstimator):
         keep: float = 0.18,
         pose_width: float = 0.2,
         descriptor_width: float = 1.0,
+        damping: float = 1.0,
         restart: float = 1e-6,
         frames_per_second: float = 15.0,
         random_state: int | None = 0,
@@ -95,6 +101,7 @@ class Tracker(BaseEstimator):
         self.keep = keep
         self.pose_width = pose_width
         self.descriptor_width = descriptor_width
+        self.damping = damping
         self.restart = restart
         self.frames_per_second = frames_per_second
         self.random_state = random_state
@@ -124,7 +131,7 @@ class Tracker(BaseEstimator):
 
     def take(self, keys: KeyPoses) -> Tracker:
         """Fit the kernels' widths to key poses at hand, so that these serve many widths."""
-        for name in ("pose_width", "descriptor_width"):
+        for name in ("pose_width", "descriptor_width", "damping"):
             if not getattr(self, name) > 0:
                 raise InputError(f"{name} must be positive, not {getattr(self, name)}")
         if not 0 < self.keep <= 1:
@@ -132,7 +139,7 @@ class Tracker(BaseEstimator):
         if not 0 <= self.restart < 1:
             raise InputError(f"restart is a probability below 1, not {self.restart}")
         self.mean_, self.scale_, self.whitening_ = keys.mean, keys.scale, keys.whitening
-        self.poses_, self.descriptors_, self.slope_ = keys.poses, keys.descriptors, keys.slope
+        self.poses_, self.descriptors_ = keys.poses, keys.descriptors
         self.transitions_ = keys.transitions(self.pose_width, self.restart)
         self.sizes_, self.spread_ = keys.sizes, keys.spread
         self.kept_ = len(keys.poses) / len(keys.following)
@@ -244,9 +251,10 @@ class Tracker(BaseEstimator):
         return np.exp(-distances / (2 * self.pose_width**2))
 
     def _estimate(self, beliefs: Array, seen: Array) -> Array:
-        poses = beliefs @ self.poses_
-        poses += np.nan_to_num(seen - beliefs @ self.descriptors_) @ self.slope_
-        return poses * self.scale_ + self.mean_
+        examples = self.poses_, self.descriptors_
+        rows = zip(beliefs, seen, strict=True)
+        poses = [regress_locally(belief, *examples, z, self.damping) for belief, z in rows]
+        return np.array(poses) * self.scale_ + self.mean_
 
     def state(self) -> dict[str, Any]:
         """Give parameters and what was learnt, as arrays and numbers."""
@@ -266,6 +274,6 @@ class Tracker(BaseEstimator):
 
 
 _LEARNT = (
-    "mean_", "scale_", "whitening_", "poses_", "descriptors_", "slope_", "transitions_",
+    "mean_", "scale_", "whitening_", "poses_", "descriptors_", "transitions_",
     "sizes_", "spread_", "kept_", "tolerance_",
 )  # fmt: skip

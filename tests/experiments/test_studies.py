@@ -107,7 +107,7 @@ def test_robustness_wants_known_kinds_and_masks(study, shared_mocap):
     with pytest.raises(InputError, match="no degradation 'hole'"):
         study("descriptor_robustness", "kinds=[hole]")
     data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
-    with pytest.raises(InputError, match="descriptor_robustness wants masks"):
+    with pytest.raises(InputError, match="descriptor_robustness photographs motion"):
         study("descriptor_robustness", "dataset=agarwal", f"dataset.path={data}")
 
 

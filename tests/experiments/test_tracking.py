@@ -15,6 +15,7 @@ FAST = (
     "regression.ridge.damping=0.1",
     "tracking.tracker.pose_width=0.7",
     "tracking.tracker.descriptor_width=0.6",
+    "tracking.tracker.damping=4",
     "tracking.dynamics.damping=100",
     "tracking.joint.pose_width=0.5",
     "tracking.joint.descriptor_width=2",
@@ -83,9 +84,9 @@ def test_initialisation_at_every_frame(study):
 
 def test_on_the_authors_data_the_trackers_reach_what_is_claimed(study, shared_mocap):
     data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
-    chosen = ("tracking.tracker.pose_width=0.3", "tracking.tracker.descriptor_width=1.6")
+    chosen = ("tracking.tracker.pose_width=0.3", "tracking.tracker.descriptor_width=2")
     metrics, _ = study("tracking", "dataset=agarwal", f"dataset.path={data}", *FAST, *chosen)
-    assert metrics["tracker"]["mean_joint_distance"] < 1.9
+    assert metrics["tracker"]["mean_joint_distance"] < 1.8
     assert metrics["tracker_lag"]["mean_joint_distance"] < 1.7
     off = {method: values["heading_over_20deg"] for method, values in metrics.items()}
-    assert off["tracker_lag"] < off["ridge"] / 3
+    assert max(off["tracker"], off["tracker_lag"]) < off["ridge"] / 3

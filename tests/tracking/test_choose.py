@@ -23,13 +23,14 @@ def selection(takes):
 
 
 def test_the_setting_best_on_validation_wins(selection):
-    chosen = choose_tracker(selection, TrackerSettings(keep=0.3))
+    tried = {"pose_width": [0.3, 0.7], "descriptor_width": [0.6, 1, 1.6], "damping": [1, 4]}
+    chosen = choose_tracker(selection, TrackerSettings(keep=0.3, **tried))
     best = min(selection.rows, key=lambda row: row["validation_error"])
-    assert (chosen.pose_width, chosen.descriptor_width) == (
-        best["pose_width"],
-        best["descriptor_width"],
-    )
-    assert len(selection.rows) == 25
+    assert [getattr(chosen, name) for name in tried] == [best[name] for name in tried]
+    assert len(selection.rows) == 12
+    (z, x), *_ = selection.validation
+    error = ANGLES.distance(x, chosen.track(z).x).mean()
+    assert error == pytest.approx(best["validation_error"])
 
 
 def test_without_validation_sequences_take_turns(takes):
@@ -51,6 +52,17 @@ def test_a_hopeless_sequence_does_not_decide(takes):
     takes = flat
     chosen = Selection(flat, [], ANGLES, 15.0).best("any", {"choice": [0, 1]}, family)
     assert chosen == {"choice": 0}
+
+
+def test_of_many_sequences_every_few_judge():
+    sequences = [(np.full((50, 1), k), np.zeros((50, 55))) for k in range(80)]
+    judges = []
+
+    def family(learnt):
+        return lambda choice: lambda z, start: judges.append(z[0, 0]) or np.zeros((len(z), 55))
+
+    Selection(sequences[:40], sequences[40:], ANGLES, 15.0).best("any", {"choice": [0, 1]}, family)
+    assert sorted(set(judges)) == list(range(40, 80, 3))
 
 
 def test_every_rival_gives_poses(selection, unseen):
@@ -76,6 +88,7 @@ def test_the_papers_tracker_keeps_as_few_kernels_as_asked_for(selection, unseen)
     ("settings", "match"),
     [
         (lambda: TrackerSettings(pose_width=[]), "tracking.tracker.pose_width"),
+        (lambda: TrackerSettings(damping=0), "tracking.tracker.damping"),
         (lambda: TrackerSettings(lag=-1), "tracking.tracker.lag"),
         (lambda: DynamicsSettings(damping=0), "tracking.dynamics.damping"),
         (lambda: RivalSettings(window=[-3]), "tracking.rivals.window"),

@@ -40,7 +40,9 @@ def test_neither_silhouette_nor_state_alone_tells_as_much(examples):
 def test_keeps_as_few_kernels_as_asked_for(examples):
     model = StateSensitiveRegressor(centres=200, keep_at_most=0.18).fit(*examples)
     assert model.kept_ == pytest.approx(0.18)
-    assert model.activations(*examples[:2]).shape == (len(examples[0]), 36)
+    estimated, kernels = model.explain(*examples[:2])
+    assert kernels.shape == (len(examples[0]), 36)
+    assert estimated == pytest.approx(model.predict(*examples[:2]))
 
 
 def test_full_trust_and_no_kernels_in_reach_gives_back_the_state(examples):

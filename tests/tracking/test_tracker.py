@@ -138,6 +138,6 @@ def test_what_it_cannot_do_it_says(tracker, unseen, takes):
         tracker.track(z[:, :5])
     with pytest.raises(InputError, match="no frame"):
         tracker.track(z[:0])
-    for wrong in ({"keep": 0}, {"pose_width": -1}, {"restart": 1.0}):
+    for wrong in ({"keep": 0}, {"pose_width": -1}, {"damping": 0}, {"restart": 1.0}):
         with pytest.raises(InputError, match=next(iter(wrong))):
             Tracker(**wrong).fit(takes)

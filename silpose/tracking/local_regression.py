@@ -1,0 +1,46 @@
+"""Locally weighted regression: what the key poses that are believed in say of the rest.
+
+W. S. Cleveland, S. J. Devlin, "Locally weighted regression", J. Am. Stat. Assoc. 1988.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+_HEARD = 64  # examples of most weight; more hardly matter, but cost
+
+
+def regress_locally(
+    weights: Array, poses: Array, descriptors: Array, seen: Array, damping: float
+) -> Array:
+    """Estimate a pose by ridge regression, linear in the descriptor, around a weighted mean.
+
+    Parameters
+    ----------
+    weights : ndarray, shape (K,)
+        Of the examples; they sum to 1.
+    poses, descriptors : ndarray, shapes (K, D) and (K, d)
+        Examples.
+    seen : ndarray, shape (d,)
+        Where to evaluate; with NaN, for nothing, the mean pose is all that can be said.
+    damping : float
+        λ of the squared slope: the larger, the nearer the pose stays to the weighted mean.
+
+    Returns
+    -------
+    pose : ndarray, shape (D,)
+    """
+    pose = weights @ poses
+    if np.isnan(seen).any():
+        return pose
+    descriptor = weights @ descriptors
+    heard = np.argpartition(weights, -_HEARD)[-_HEARD:] if len(weights) > _HEARD else slice(None)
+    root = np.sqrt(weights[heard])[:, None]
+    inputs, outputs = root * (descriptors[heard] - descriptor), root * (poses[heard] - pose)
+    gram = inputs @ inputs.T  # fewer examples than inputs: the dual form
+    gram.flat[:: len(gram) + 1] += damping
+    change: Array = (inputs @ (seen - descriptor)) @ np.linalg.solve(gram, outputs)
+    return pose + change

@@ -1,0 +1,41 @@
+import numpy as np
+import pytest
+
+from silpose.tracking.local_regression import regress_locally
+
+
+@pytest.fixture
+def line():
+    """Poses that are linear in their descriptors: slope (4, 3), descriptors (200, 4), poses."""
+    rng = np.random.default_rng(0)
+    slope, z = rng.normal(size=(4, 3)), rng.normal(size=(200, 4))
+    return slope, z, 1 + z @ slope
+
+
+def near(z, where):
+    weights = np.exp(-((z - where) ** 2).sum(axis=1))
+    return weights / weights.sum()
+
+
+def test_is_exact_between_examples_of_a_linear_relation(line):
+    slope, z, poses = line
+    where = np.array([0.3, -0.2, 0.1, 0.4])
+    found = regress_locally(near(z, where), poses, z, where, damping=1e-9)
+    assert found == pytest.approx(1 + where @ slope, abs=1e-5)
+
+
+@pytest.mark.parametrize(("seen", "damping"), [(np.full(4, 0.5), 1e9), (np.full(4, np.nan), 1.0)])
+def test_gives_the_believed_mean_where_z_tells_nothing(line, seen, damping):
+    _, z, poses = line
+    weights = near(z, np.zeros(4))
+    assert regress_locally(weights, poses, z, seen, damping) == pytest.approx(weights @ poses)
+
+
+def test_belief_decides_between_poses_that_look_alike(line):
+    slope, z, poses = line
+    where = np.full(4, 0.2)
+    both_z, both_poses = np.vstack([z, z]), np.vstack([poses, -poses])
+    for believed, sign in (([1, 0], 1), ([0, 1], -1)):
+        weights = np.outer(believed, near(z, where)).ravel()
+        found = regress_locally(weights, both_poses, both_z, where, 1e-9)
+        assert found == pytest.approx(sign * (1 + where @ slope), abs=1e-5)
