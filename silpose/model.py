@@ -21,12 +21,14 @@ from silpose.pose import SPACES, AnglePoseSpace, PoseSpace
 from silpose.regression import REGRESSORS, Regressor
 from silpose.silhouette import read_masks
 from silpose.skeleton import standing_height
-from silpose.tracking import Track, Tracker
+from silpose.tracking import TRACKERS, ManyTracks, MultipleHypothesisTracker, Track, Tracker
 
 Array = NDArray[np.float64]
 Masks = NDArray[Any] | Sequence[ArrayLike]
 
-FORMAT = 1
+AnyTracker = Tracker | MultipleHypothesisTracker
+
+FORMAT = 2
 
 
 @dataclass(frozen=True)
@@ -116,7 +118,7 @@ class PoseModel:
     space : PoseSpace
     frames_per_second : float
         Of the motion that it was trained on.
-    tracker : Tracker or None
+    tracker : Tracker or MultipleHypothesisTracker or None
         None for a model that sees each image on its own.
     """
 
@@ -124,7 +126,7 @@ class PoseModel:
     regressor: Regressor
     space: PoseSpace
     frames_per_second: float
-    tracker: Tracker | None = None
+    tracker: AnyTracker | None = None
 
     def fit(self, masks: Masks, x: ArrayLike) -> PoseModel:
         """Learn the codebook and the regression.
@@ -172,7 +174,7 @@ class PoseModel:
 
     def track(
         self, masks: str | Path | Masks, lag: int = 0, frames_per_second: float | None = None
-    ) -> Track:
+    ) -> Track | ManyTracks:
         """Track a person through masks; a blank one is a frame without anything to see.
 
         Parameters
@@ -215,7 +217,7 @@ class PoseModel:
             raise InputError(f"blank is 'error' or 'nan', not '{blank}'")
         return frames, seen, self._descriptor().describe([frames[f] for f in seen])
 
-    def _tracker(self) -> Tracker:
+    def _tracker(self) -> AnyTracker:
         if self.tracker is None:
             raise InputError("this model has no tracker: train one with experiment=tracking")
         return self.tracker
@@ -231,6 +233,7 @@ class PoseModel:
             "format": FORMAT,
             "silpose": version("silpose"),
             "regressor": type(self.regressor).__name__,
+            "tracker": type(self.tracker).__name__,
             "space": self.space.name,
             "frames_per_second": self.frames_per_second,
         }
@@ -271,7 +274,9 @@ class PoseModel:
             REGRESSORS[header["regressor"]].from_state(states["regressor"]),
             SPACES[header["space"]],
             header["frames_per_second"],
-            Tracker.from_state(states["tracker"]) if states["tracker"] else None,
+            TRACKERS[header["tracker"]].from_state(states["tracker"])
+            if states["tracker"]
+            else None,
         )
 
 

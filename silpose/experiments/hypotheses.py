@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -72,6 +73,9 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
             values |= {f"back_after_{k}": float((s <= SOON).mean()) for k, s in kinds.items()}
     film = Film.of(described.data.test[0], described.test[0][0], blank_frames)
     many = tracker.track(film.z)
+    model = replace(described.model(learnt.ridge), tracker=tracker)
+    with run.writing("model.npz") as path:
+        model.save(path)
     with run.writing("hypotheses.png") as path:
         _figure(path, space, film, mixture, many, seconds)
     _record(rooms, run, film, mixture, many, space, metrics)
@@ -184,5 +188,6 @@ def _figure(
     axes.axvline(SOON, color="black", lw=0.7)
     axes.set(xlim=(0, 1.5), ylim=(0, 1), xlabel="seconds after a failure")
     axes.set_ylabel(f"share of tracks within {BACK_DEG:.0f}° again")
-    axes.legend(fontsize=8, loc="lower right")
+    if axes.lines[1:]:
+        axes.legend(fontsize=8, loc="lower right")
     figure.savefig(path, dpi=110, format="png")

@@ -34,7 +34,12 @@ from silpose.tracking.settings import (
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
 from silpose.tracking.tracker import Track, Tracker
 
+TRACKERS: dict[str, type[Tracker] | type[MultipleHypothesisTracker]] = {
+    kind.__name__: kind for kind in (Tracker, MultipleHypothesisTracker)
+}
+
 __all__ = [
+    "TRACKERS",
     "DynamicsSettings",
     "HypothesesSettings",
     "JointSettings",

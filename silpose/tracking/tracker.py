@@ -13,7 +13,6 @@ poses that look alike is meant, and the silhouette where between key poses it li
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +21,7 @@ from sklearn.utils.validation import check_is_fitted
 
 from silpose.errors import InputError
 from silpose.pose import SPACES, PoseSpace
+from silpose.saved import State, restored, state_of
 from silpose.tracking.belief import Filter, reversed_time, revise
 from silpose.tracking.frame_rate import check_rate
 from silpose.tracking.key_poses import Examples, KeyPoses, squared_distances
@@ -256,21 +256,15 @@ class Tracker(BaseEstimator):
         poses = [regress_locally(belief, *examples, z, self.damping) for belief, z in rows]
         return np.array(poses) * self.scale_ + self.mean_
 
-    def state(self) -> dict[str, Any]:
+    def state(self) -> State:
         """Give parameters and what was learnt, as arrays and numbers."""
         check_is_fitted(self)
-        parameters = {k: v for k, v in self.get_params().items() if v is not None}
-        return parameters | {name: getattr(self, name) for name in _LEARNT}
+        return state_of(self, _LEARNT)
 
     @classmethod
-    def from_state(cls, state: dict[str, Any]) -> Tracker:
+    def from_state(cls, state: State) -> Tracker:
         """Restore what `state` gave."""
-        plain = {k: np.asarray(v).item() for k, v in state.items() if k not in _LEARNT}
-        tracker = cls(**{"random_state": None, **plain})
-        for name in _LEARNT:
-            value = np.asarray(state[name])
-            setattr(tracker, name, value if value.ndim else value.item())
-        return tracker.start()
+        return restored(cls, state, _LEARNT).start()
 
 
 _LEARNT = (

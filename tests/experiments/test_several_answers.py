@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import silpose
 from silpose.evaluation import heading_errors
 from silpose.experiments.explanations import depth_mirrored, differences, kinds_of
 from silpose.experiments.failures import Trial, cuts
@@ -79,6 +80,15 @@ def test_hypotheses_are_tracked_through_failures(study):
         metrics["tracker"]
     )
     assert sum(row["method"] == "hypotheses" and row["failure"] == "cut" for row in rows) == 3
+
+
+def test_its_model_follows_masks(study, tmp_path):
+    study("hypotheses", *FAST, *JOINT, "trials=1", "blank_frames=5")
+    model = silpose.load(tmp_path / "hypotheses" / "001")
+    masks = np.zeros((4, 96, 96), np.uint8)
+    masks[1:, 20:80, 40:56] = 1
+    track = model.track(masks)
+    assert track.state[0] == "starting" and np.isfinite(track.x).all()
 
 
 def circle(frames):

@@ -157,3 +157,10 @@ def test_two_frames_tell_no_dynamics(walk):
     z, x = walk(2)
     with pytest.raises(InputError, match="three frames"):
         MultipleHypothesisTracker(MixtureOfRegressors(1)).fit([(z, x)])
+
+
+def test_a_state_restores_it(tracker, unseen):
+    stored = {name: np.asarray(value) for name, value in tracker.state().items()}
+    assert all(value.dtype != object for value in stored.values())
+    restored = MultipleHypothesisTracker.from_state(stored)
+    assert (restored.track(unseen[0]).x == tracker.track(unseen[0]).x).all()
