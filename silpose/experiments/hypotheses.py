@@ -32,7 +32,8 @@ STATES = {"starting": "#5a6ec8", "tracking": "#46965a", "lost": "#dc463c", "reco
 def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
     """Track unseen sequences from no given pose, then with failures put in.
 
-    Beside it stands the tracker of a belief over key poses, given the first two true poses.
+    Beside it stand the paper's state-sensitive tracker and the one of a belief over key poses,
+    given the first two true poses.
 
     Parameters
     ----------
@@ -53,6 +54,7 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
         estimators: dict[str, Callable[[Array, Array], Array]] = {
             "ridge": lambda z, _: learnt.ridge.predict(z),
             "mixture_top1": lambda z, _: mixture.predict(z),
+            "joint": lambda z, start: learnt.joint.track(z, start)[0],
             "tracker_given_start": lambda z, start: learnt.tracker.track(z, start).x,
             "hypotheses": lambda z, _: tracker.track(z).x,
             "hypotheses_lag": lambda z, _: tracker.track(z, lag=learnt.lag).x,
