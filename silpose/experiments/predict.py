@@ -44,7 +44,7 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str, lag: float) ->
     with run.writing("poses.csv") as path:
         _write_csv(path, mask_names(own.source, len(masks)), Poses(look.x, fitted.space), states)
     header = run.header(f"{len(masks)} masks of `{own.source}`", {})
-    record_prediction(header, fitted, look, own.frames_per_second)
+    record_prediction(header, fitted, look, own.frames_per_second, states)
     if not model:
         with run.writing("model.npz") as path:
             fitted.save(path)

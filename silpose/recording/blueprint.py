@@ -19,6 +19,7 @@ from silpose.recording.views import (
     mask_view,
     seen_view,
     series_view,
+    state_view,
     texts_view,
 )
 
@@ -62,21 +63,22 @@ def single_image(
     )
 
 
-def predict(frames_per_second: float, window: Window) -> rrb.Blueprint:
+def predict(frames_per_second: float, window: Window, tracked: bool) -> rrb.Blueprint:
     """Lay out poses estimated from masks whose truth nobody knows."""
-    answered = rrb.Vertical(
-        bodies_view(
-            "estimated pose; left side light, right side dark",
-            [entities.TRUE_SKELETON, entities.ESTIMATED_SKELETON],
-            FROM_THE_SIDE,
-        ),
-        series_view("heading, degrees", [entities.ESTIMATED_HEADING]),
-        series_view(
-            "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
-        ),
-        row_shares=[3.4, 1, 0.7],
+    bodies = bodies_view(
+        "estimated pose; left side light, right side dark",
+        [entities.ESTIMATED_SKELETON],
+        FROM_THE_SIDE,
     )
-    return layout([seen_view(window), answered, texts_view()], [1.3, 1.7, 0.8], frames_per_second)
+    heading = series_view("heading, degrees", [entities.ESTIMATED_HEADING])
+    doubt = series_view(
+        "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
+    )
+    if tracked:
+        answered = rrb.Vertical(bodies, state_view(), heading, doubt, row_shares=[3.4, 0.5, 1, 0.7])
+    else:
+        answered = rrb.Vertical(bodies, heading, doubt, row_shares=[3.4, 1, 0.7])
+    return layout([seen_view(window), answered, texts_view()], [1.3, 1.7, 0.6], frames_per_second)
 
 
 def tracking(
@@ -94,7 +96,7 @@ def tracking(
             ],
             from_the_front(0.75 * len(methods) + 0.5),
         ),
-        rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
+        state_view(),
         series_view("heading, degrees", headings),
         series_view(
             metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in ("ridge", "tracker")]
@@ -165,7 +167,7 @@ def hypotheses(count: int, frames_per_second: float, masks: bool) -> rrb.Bluepri
     answered = rrb.Vertical(
         bodies,
         weights,
-        rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker"),
+        state_view(),
         series_view("heading, degrees: true, mode 1 of the mixture, tracker", headings),
         row_shares=[3, 0.9, 0.5, 1.1],
     )

@@ -79,7 +79,11 @@ def record_single_image(
 
 
 def record_prediction(
-    header: Header, model: PoseModel, look: Look, frames_per_second: float
+    header: Header,
+    model: PoseModel,
+    look: Look,
+    frames_per_second: float,
+    states: Sequence[str] | None = None,
 ) -> None:
     """Write the recording of poses whose truth nobody knows.
 
@@ -91,8 +95,11 @@ def record_prediction(
         What it made of the masks.
     frames_per_second : float
         Of the masks.
+    states : sequence of str, optional
+        Of the tracker, if the model has one.
     """
-    layout = blueprint.predict(frames_per_second, _window(look.masks) or (0.0, 1.0, 0.0, 1.0))
+    window = _window(look.masks) or (0.0, 1.0, 0.0, 1.0)
+    layout = blueprint.predict(frames_per_second, window, states is not None)
     with recording_stream(header, layout) as recording:
         track = _log_look(recording, model, look, frames_per_second)
         height, width = np.max([np.shape(mask) for mask in look.masks], axis=0)
@@ -101,6 +108,8 @@ def record_prediction(
         joints = model.space.joints(np.nan_to_num(look.x))
         root[:, 1] = -joints[..., 1].min(axis=1)  # the lowest point stands on the ground
         _log_estimate(track, model.space, look.x, root)
+        if states is not None:
+            track.states(entities.STATE, states, palette.STATES)
 
 
 def _window(masks: Sequence[NDArray[np.uint8]]) -> Window | None:

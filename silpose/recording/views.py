@@ -118,6 +118,11 @@ def series_view(
     )
 
 
+def state_view() -> rrb.StateTimelineView:
+    """Show a tracker's state as a lane."""
+    return rrb.StateTimelineView(origin=entities.STATE, name="state of the tracker")
+
+
 def texts_view(reasons: bool = False) -> rrb.Container:
     """Results and settings in words, and the reasons for a pose between them."""
     texts = [
