@@ -20,13 +20,14 @@ from silpose.recording import (
     record_context_space,
     record_extinction,
     record_features,
+    record_hypotheses,
     record_modes,
     record_study,
     record_tracking,
 )
 from silpose.recording.pictures import opened
 from silpose.silhouette import Camera
-from silpose.tracking import Track
+from silpose.tracking import ManyTracks, Track
 
 
 def header(path):
@@ -41,6 +42,7 @@ PER_SOMETHING = (
     entities.TRACKS,
     entities.KERNELS,
     entities.MODES,
+    entities.HYPOTHESES,
 )
 ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
     entities.REASONS,
@@ -52,7 +54,16 @@ ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
 def recordings(finished, sequence, tmp_path_factory):
     """One file of every kind of recording."""
     folder = tmp_path_factory.mktemp("kinds")
-    kinds = ("study", "bridges", "features", "tracking", "extinction", "space", "modes")
+    kinds = (
+        "study",
+        "bridges",
+        "features",
+        "tracking",
+        "extinction",
+        "space",
+        "modes",
+        "hypotheses",
+    )
     paths = [folder / f"{kind}.rrd" for kind in kinds]
     heads = list(map(header, paths))
     figure = folder / "figure.png"
@@ -84,6 +95,8 @@ def recordings(finished, sequence, tmp_path_factory):
     weights[::2] = [1.0, 0.0]  # where there is one answer only
     modes = np.stack([sequence.x, sequence.x[::-1]], axis=1)
     record_modes(heads[6], sequence, truth, weights, modes, ANGLES)
+    many = ManyTracks(sequence.x, states, weights, modes)
+    record_hypotheses(heads[7], sequence, truth, (weights, modes), many, ANGLES)
     return [finished.recording, *paths]
 
 
