@@ -75,12 +75,14 @@ if __name__ == "__main__":
     pixels = int(np.mean([len(boundary_pixels(mask)[0]) for mask in masks]))
     histogram = ShapeContextHistogram(n_jobs=1).fit(masks)
     everywhere = ShapeContextHistogram(edge_points=None, n_jobs=1).fit(masks)
+    closed = ShapeContextHistogram(closing=0.07, n_jobs=1).fit(masks)
     everyone = ShapeContextHistogram(voters=None, n_jobs=1).fit(masks)
     rates = {}
     for name, one in {
         "mask to z, 200 edge points": histogram,
         f"mask to z, all {pixels} points": everywhere,
         "mask to z, 200 points vote for all centres": everyone,
+        "mask to z, 200 points, gaps closed": closed,
     }.items():
         rates[name] = per_second(lambda one=one: one.transform(masks), len(masks))
         both = ShapeContextHistogram.from_state(one.state()).set_params(n_jobs=2)

@@ -34,12 +34,14 @@ def as_mask(mask: ArrayLike, index: int) -> NDArray[np.uint8]:
     return mask
 
 
-def boundary_pixels(mask: NDArray[np.uint8]) -> tuple[Pixels, Pixels]:
+def boundary_pixels(mask: NDArray[np.uint8], closing: float = 0.0) -> tuple[Pixels, Pixels]:
     """Follow the boundaries of all components and of their holes.
 
     Parameters
     ----------
     mask : ndarray of uint8, shape (H, W)
+    closing : float
+        Gaps narrower than this share of the silhouette's longer side are filled first.
 
     Returns
     -------
@@ -48,9 +50,29 @@ def boundary_pixels(mask: NDArray[np.uint8]) -> tuple[Pixels, Pixels]:
     lengths : ndarray of int, shape (C,)
         Number of pixels of each contour.
     """
-    contours, _ = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    shift = (0, 0)
+    if closing > 0:
+        mask, shift = _closed(mask, closing)
+    contours, _ = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE, offset=shift)
     lengths = np.array([len(contour) for contour in contours], dtype=np.int32)
     return np.concatenate(contours).reshape(-1, 2).astype(np.int32, copy=False), lengths
+
+
+def _closed(mask: NDArray[np.uint8], closing: float) -> tuple[NDArray[np.uint8], tuple[int, int]]:
+    """Close the part of a mask that a silhouette covers; where that part lies, x and y.
+
+    A square, unlike a disc, is passed over rows and columns in turn: five times as fast.
+    """
+    left, top, width, height = cv2.boundingRect(mask)
+    margin = round(closing * max(width, height) / 2)  # so that the part's edge is no obstacle
+    part = mask[top : top + height, left : left + width]
+    square = np.ones((2 * margin + 1, 2 * margin + 1), np.uint8)
+    sides = (margin, margin, margin, margin)
+    padded = cv2.copyMakeBorder(part, *sides, cv2.BORDER_CONSTANT, value=0)
+    closed = cv2.morphologyEx(
+        padded, cv2.MORPH_CLOSE, square, borderType=cv2.BORDER_CONSTANT, borderValue=0
+    )
+    return np.asarray(closed, np.uint8), (left - margin, top - margin)
 
 
 @numba.njit(cache=True, nogil=True)

@@ -70,6 +70,10 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         the place of `edge_points`.
     angular_bins, radial_bins : int
         Of a context; the rings grow by equal factors.
+    closing : float
+        Gaps, notches and holes narrower than this share of the silhouette's height or width,
+        whichever is larger, are filled before the boundary is followed: the false edges of a thin
+        occluder, or of holes, would otherwise be as many as the person's own. 0 fills nothing.
     radius : float
         Reach of a context, relative to the silhouette's size, which is the root mean square
         distance of its boundary from its centre: 0.3 of a standing person's height.
@@ -111,6 +115,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         self,
         edge_points: int | None = 200,
         spacing: float | None = None,
+        closing: float = 0.0,
         angular_bins: int = 12,
         radial_bins: int = 5,
         radius: float = 0.45,
@@ -126,6 +131,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
     ) -> None:
         self.edge_points = edge_points
         self.spacing = spacing
+        self.closing = closing
         self.angular_bins = angular_bins
         self.radial_bins = radial_bins
         self.radius = radius
@@ -223,7 +229,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
 
     def _boundary(self, mask: NDArray[np.uint8]) -> tuple[Pixels, Pixels]:
         """All boundary pixels (N, 2), and the edge points (P, 2) among them."""
-        pixels, lengths = boundary_pixels(mask)
+        pixels, lengths = boundary_pixels(mask, self.closing)
         if self.spacing is not None:
             step = self.spacing * max(extent(pixels), 1.0)
             return pixels, pixels[spaced_indices(pixels, lengths, 0, step)]
@@ -265,6 +271,8 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         for name in FACTORS & given.keys():
             if not (isinstance(given[name], Real) and 0 < given[name] < np.inf):
                 raise InputError(f"{name} must be positive, not {given[name]}")
+        if not (isinstance(self.closing, Real) and 0 <= self.closing < 1):
+            raise InputError(f"closing must be at least 0 and below 1, not {self.closing}")
         if not 0 < self.inner_radius < 1:
             raise InputError(f"inner_radius must be between 0 and 1, not {self.inner_radius}")
         for name, known in (("codebook_method", METHODS), ("normalisation", NORMALISATIONS)):

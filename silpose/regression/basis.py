@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.special import softmax
 from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.metrics import pairwise
 from sklearn.utils.validation import check_is_fitted, validate_data
@@ -40,6 +41,11 @@ class Basis(TransformerMixin, BaseEstimator):
     hellinger : bool
         Whether to take square roots of the inputs first, so that their Euclidean distance is
         the Hellinger distance of histograms.
+    normalised : bool
+        Whether Gaussian kernels are divided by their sum over all centres (Moody and Darken 1989).
+        What is far from all training points, as a damaged silhouette is, then still makes the
+        nearest ones respond, where plain kernels vanish and leave the mean. Kernels that are not
+        kept are needed for the sum all the same.
     random_state : int or None
 
     Attributes
@@ -52,6 +58,9 @@ class Basis(TransformerMixin, BaseEstimator):
     beta_ : float
     size_ : int
         Number of basis functions.
+    summed_ : ndarray, shape (p, d)
+        The centres over which kernels are summed, and `places_` of those kept among them; only
+        where they are normalised.
     """
 
     def __init__(
@@ -61,6 +70,7 @@ class Basis(TransformerMixin, BaseEstimator):
         centres: int = 2700,
         width: float = 1.0,
         hellinger: bool = False,
+        normalised: bool = False,
         random_state: int | None = 0,
     ) -> None:
         self.kernel = kernel
@@ -68,6 +78,7 @@ class Basis(TransformerMixin, BaseEstimator):
         self.centres = centres
         self.width = width
         self.hellinger = hellinger
+        self.normalised = normalised
         self.random_state = random_state
 
     def fit(self, z: ArrayLike, y: object = None) -> Basis:
@@ -83,6 +94,8 @@ class Basis(TransformerMixin, BaseEstimator):
         count = min(self.centres, len(inputs)) if self.kernel else 0
         self.indices_ = np.sort(random.choice(len(inputs), count, replace=False))
         self.centres_ = inputs[self.indices_]
+        if self.normalised:
+            self.summed_, self.places_ = self.centres_, np.arange(count)
         self.features_ = np.arange(inputs.shape[1] if self.linear else 0)
         self.mean_, deviation = inputs.mean(axis=0), inputs.std(axis=0)
         self.scale_ = np.where(deviation > 0, deviation, 1.0)
@@ -97,9 +110,7 @@ class Basis(TransformerMixin, BaseEstimator):
         features = ((inputs - self.mean_) / self.scale_)[:, self.features_]
         if not len(self.centres_):
             return features
-        kernels = pairwise.pairwise_kernels(
-            inputs, self.centres_, metric=self._metric(), filter_params=True, gamma=self.beta_
-        )
+        kernels = self._shares(inputs) if self.normalised else self._kernels(inputs)
         return np.hstack([kernels, features]) if len(self.features_) else kernels
 
     @property
@@ -112,6 +123,8 @@ class Basis(TransformerMixin, BaseEstimator):
         basis = Basis(**self.get_params())
         kernels = kept[kept < len(self.indices_)]
         features = kept[kept >= len(self.indices_)] - len(self.indices_)
+        if self.normalised:
+            basis.summed_, basis.places_ = self.summed_, self.places_[kernels]
         basis.indices_, basis.centres_ = self.indices_[kernels], self.centres_[kernels]
         basis.features_ = self.features_[features]
         for name in ("mean_", "scale_", "beta_", "n_features_in_"):
@@ -121,7 +134,8 @@ class Basis(TransformerMixin, BaseEstimator):
     def state(self) -> dict[str, Any]:
         """Give parameters and what was learnt, as arrays and numbers."""
         check_is_fitted(self)
-        names = ("indices_", "centres_", "features_", "mean_", "scale_", "beta_")
+        names = ["indices_", "centres_", "features_", "mean_", "scale_", "beta_"]
+        names += ["summed_", "places_"] if self.normalised else []
         parameters = {k: v for k, v in self.get_params().items() if v is not None}
         return parameters | {name: getattr(self, name) for name in names}
 
@@ -144,9 +158,22 @@ class Basis(TransformerMixin, BaseEstimator):
             )
         if self.kernel is None and not self.linear:
             raise InputError("a basis without kernels wants linear=True")
+        if self.normalised and self.kernel != "gaussian":
+            raise InputError(f"normalised=True wants kernel='gaussian', not {self.kernel!r}")
         known = {*KERNELS, *pairwise.PAIRWISE_KERNEL_FUNCTIONS}
         if self.kernel is not None and self.kernel not in known:
             raise InputError(f"there is no kernel '{self.kernel}'; there are {sorted(known)}")
+
+    def _kernels(self, inputs: Array) -> Array:
+        kernels = pairwise.pairwise_kernels(
+            inputs, self.centres_, metric=self._metric(), filter_params=True, gamma=self.beta_
+        )
+        return np.asarray(kernels)
+
+    def _shares(self, inputs: Array) -> Array:
+        # As a softmax of exponents: however far the inputs, the sum of kernels is not 0.
+        exponents = -self.beta_ * pairwise.euclidean_distances(inputs, self.summed_, squared=True)
+        return np.asarray(softmax(exponents, axis=1)[:, self.places_])
 
     def _metric(self) -> str:
         return "rbf" if self.kernel == "gaussian" else str(self.kernel)

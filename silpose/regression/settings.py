@@ -20,6 +20,7 @@ class BasisSettings:
     linear: bool = False
     centres: int = 2700
     hellinger: bool = True
+    normalised: bool = False
     random_state: int | None = 0
     width: float | list[float] = field(default_factory=lambda: [1.0, 2.0, 4.0, 8.0])
 
@@ -29,7 +30,13 @@ class BasisSettings:
     def basis(self, width: float) -> Basis:
         """Make the basis of one width."""
         return Basis(
-            self.kernel, self.linear, self.centres, width, self.hellinger, self.random_state
+            self.kernel,
+            self.linear,
+            self.centres,
+            width,
+            self.hellinger,
+            self.normalised,
+            self.random_state,
         )
 
     def widths(self) -> list[float]:

@@ -2,11 +2,17 @@
 
 import cv2
 import numpy as np
+from scipy import ndimage
 
 
-def boundary(mask):
-    contours, _ = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
-    return [contour[:, 0] for contour in contours]
+def boundary(mask, closing=0.0):
+    rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
+    margin = round(closing * max(np.ptp(rows) + 1, np.ptp(columns) + 1) / 2)
+    square = np.ones((2 * margin + 1, 2 * margin + 1))
+    padded = np.pad(mask, 2 * margin)
+    closed = ndimage.binary_closing(padded, square).astype(np.uint8)
+    contours, _ = cv2.findContours(closed, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    return [contour[:, 0] - 2 * margin for contour in contours]
 
 
 def contexts(pixels, points, reach, inner, angular_bins, radial_bins):

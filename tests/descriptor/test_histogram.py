@@ -21,7 +21,11 @@ def histogram(sequence):
 @pytest.fixture(scope="module")
 def histograms(histogram, sequence):
     """The usual choices, and others that take other ways through the code."""
-    others = {"spaced": {"spacing": 0.1, "voters": None}, "everywhere": {"edge_points": None}}
+    others = {
+        "spaced": {"spacing": 0.1, "voters": None},
+        "everywhere": {"edge_points": None},
+        "closed": {"closing": 0.2},
+    }
     fitted = {
         name: ShapeContextHistogram(codebook_size=9, n_jobs=1, **choices).fit(sequence.masks)
         for name, choices in others.items()
@@ -29,9 +33,11 @@ def histograms(histogram, sequence):
     return {"usual": histogram, **fitted}
 
 
-def test_z_is_the_definition_from_mask_to_histogram(histogram, sequence):
+@pytest.mark.parametrize("closing", [0, 0.07])
+def test_z_is_the_definition_from_mask_to_histogram(sequence, closing):
+    histogram = ShapeContextHistogram(codebook_size=30, closing=closing).fit(sequence.masks)
     for mask, z in zip(sequence.masks[:5], histogram.transform(sequence.masks[:5]), strict=True):
-        pixels = np.concatenate(reference.boundary(mask))
+        pixels = np.concatenate(reference.boundary(mask, closing))
         (description,) = histogram.describe([mask])
         reach = 0.45 * np.sqrt(((pixels - pixels.mean(axis=0)) ** 2).sum(axis=1).mean())
         contexts = reference.contexts(pixels, description.points, reach, 0.1 * reach, 12, 5)
@@ -87,6 +93,21 @@ def test_components_holes_and_the_frames_edge_are_boundary_too(histogram):
     for changed in z[1:4]:
         assert np.linalg.norm(changed - z[0]) > 0.01
     np.testing.assert_array_equal(z[3], z[4])
+
+
+def test_closing_undoes_holes_and_thin_occluders(sequence):
+    person = np.zeros((90, 60), np.uint8)
+    person[10:80, 20:40] = 1
+    hurt = person.copy()
+    hurt[30:34, 25:35] = hurt[50:54] = 0
+    plain, closed = (
+        ShapeContextHistogram(codebook_size=30, closing=closing).fit(sequence.masks)
+        for closing in (0, 0.07)
+    )
+    assert np.abs(np.diff(plain.transform([person, hurt]), axis=0)).max() > 0.01
+    np.testing.assert_array_equal(*closed.transform([person, hurt]))
+    whole, at_the_edge = closed.describe([person, person[10:80, 20:40]])
+    np.testing.assert_array_equal(whole.points - (20, 10), at_the_edge.points)
 
 
 def test_moving_the_silhouette_changes_nothing(histogram, sequence):
@@ -145,7 +166,7 @@ def masks_whatsoever():
 
 
 @settings(deadline=None, max_examples=300)
-@given(masks_whatsoever(), st.sampled_from(["usual", "spaced", "everywhere"]))
+@given(masks_whatsoever(), st.sampled_from(["usual", "spaced", "everywhere", "closed"]))
 def test_no_mask_whatsoever_gives_nan_or_a_crash(histograms, mask, kind):
     described = mask.ndim == 2 and mask.any() and np.isin(mask, (0, 1)).all()
     try:
@@ -182,6 +203,8 @@ def test_what_cannot_be_described_is_named(histogram, sequence):
         ShapeContextHistogram(radius=0).fit(sequence.masks)
     with pytest.raises(InputError, match="inner_radius must be between"):
         ShapeContextHistogram(inner_radius=1.5).fit(sequence.masks)
+    with pytest.raises(InputError, match="closing must be at least 0 and below 1"):
+        ShapeContextHistogram(closing=1.0).fit(sequence.masks)
     with pytest.raises(InputError, match="voters must be at least 1"):
         ShapeContextHistogram(voters=0).fit(sequence.masks)
     with pytest.raises(InputError, match="codebook_method=medoids; there are kmeans"):

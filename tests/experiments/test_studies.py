@@ -2,6 +2,7 @@
 
 import pytest
 
+from silpose.config import load
 from silpose.errors import InputError
 from silpose.motion import WalkerTakes, save_bvh
 
@@ -101,6 +102,13 @@ def test_robustness_is_measured_beside_the_alternatives(study):
         if (row["descriptor"], row["kind"]) == ("shape_contexts", "frame_cut")
     )
     assert metrics["shape_contexts"]["whole_error"] < weak < strong
+
+
+def test_robustness_is_shown_at_its_best_or_as_in_the_paper():
+    for choice, best in (([], True), (["descriptor=shape_context", "regression=kernel"], False)):
+        settings = load(["experiment=descriptor_robustness", *choice])
+        assert settings.regression.basis.normalised is best
+        assert (settings.descriptor.closing > 0) is best
 
 
 def test_robustness_wants_known_kinds_and_masks(study, shared_mocap):

@@ -74,6 +74,21 @@ def test_restricted_and_restored_it_gives_the_same(smooth):
     np.testing.assert_array_equal(restored.transform(other), some.transform(other))
 
 
+def test_normalised_kernels_are_shares_of_their_sum(smooth):
+    (z, _), (other, _) = smooth
+    plain, shares = (Basis(centres=30, normalised=n).fit(z) for n in (False, True))
+    kernels = plain.transform(other)
+    expected = kernels / kernels.sum(axis=1, keepdims=True)
+    np.testing.assert_allclose(shares.transform(other), expected)
+    kept = np.array([2, 17])
+    some = Basis.from_state(shares.restrict(kept).restrict(np.array([1])).state())
+    np.testing.assert_allclose(some.transform(other), expected[:, [17]])
+    assert plain.transform(1e3 + other).sum() == 0
+    np.testing.assert_allclose(shares.transform(1e3 + other).sum(axis=1), 1)
+    with pytest.raises(InputError, match="normalised=True wants kernel='gaussian'"):
+        Basis("chi2", normalised=True).fit(z)
+
+
 def test_unknown_or_no_functions_are_refused(smooth):
     (z, _), _ = smooth
     with pytest.raises(InputError, match="no kernel 'gausian'"):
