@@ -32,6 +32,8 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
         f"silpose_{header.experiment}",
         recording_id=header.identity,
         send_properties=False,  # which would be the time of day
+        # By default rows are gathered for a fifth of a second: where a chunk ends would be chance.
+        batcher_config=rr.ChunkBatcherConfig(flush_tick=3600),
     )
     with writing(header.file) as path:
         live = connect(recording, header, layout)
