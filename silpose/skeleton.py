@@ -230,3 +230,10 @@ def standing_height(rotations: ArrayLike) -> Array:
         points = positions[:, j, None] + np.einsum("fij,sj->fsi", orientations[:, j], sole)
         lowest = np.minimum(lowest, points[..., 1].min(axis=1))
     return -lowest
+
+
+def other_side(joint: str) -> str:
+    """Name a joint's counterpart on the other side of the body; the middle is its own."""
+    side, _, rest = joint.partition("_")
+    other = {"left": "right", "right": "left"}.get(side)
+    return f"{other}_{rest}" if other else joint

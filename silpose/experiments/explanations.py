@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from silpose.evaluation import heading_errors, thigh_swing
 from silpose.pose import PoseSpace
+from silpose.skeleton import other_side
 
 Array = NDArray[np.float64]
 Kinds = NDArray[np.str_]
@@ -53,14 +54,8 @@ def depth_mirrored(space: PoseSpace, x: Array) -> Array:
     From afar a silhouette does not tell on which side of the image plane a limb is.
     """
     names = space.joint_names
-    other = [names.index(_other_side(name)) for name in names]
+    other = [names.index(other_side(name)) for name in names]
     return space.joints(x)[:, other] * (1, 1, -1)
-
-
-def _other_side(joint: str) -> str:
-    side, _, rest = joint.partition("_")
-    other = {"left": "right", "right": "left"}.get(side)
-    return f"{other}_{rest}" if other else joint
 
 
 def _stride(space: PoseSpace, x: Array) -> Array:

@@ -19,6 +19,7 @@ from silpose.experiments.training import tidy
 from silpose.pose import PoseSpace
 from silpose.progress import bar
 from silpose.recording import Truth, record_hypotheses
+from silpose.recording.palette import STATES
 from silpose.regression import MixtureOfRegressors
 from silpose.run import Run
 from silpose.tracking import ManyTracks, MultipleHypothesisTracker, choose_hypotheses
@@ -26,7 +27,6 @@ from silpose.tracking import ManyTracks, MultipleHypothesisTracker, choose_hypot
 Array = NDArray[np.float64]
 
 SOON = 1.0  # seconds after a failure within which a tracker is to be back
-STATES = {"starting": "#5a6ec8", "tracking": "#46965a", "lost": "#dc463c", "recovered": "#e1cd5a"}
 
 
 def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
@@ -176,9 +176,9 @@ def _figure(
     headings.axvline(film.cut - 0.5, color="black", lw=1, label="cut")
     headings.set(ylim=(-185, 185), yticks=(-180, -90, 0, 90, 180), ylabel="heading, degrees")
     headings.legend(fontsize=8, ncols=5, loc="lower left")
-    for state, colour in STATES.items():
+    for state, shade in STATES.items():
         own = frames[np.array(many.state) == state]
-        states.bar(own, 1, 1.0, color=colour, label=state)
+        states.bar(own, 1, 1.0, color=np.divide(shade, 255), label=state)
     states.set(yticks=[], xlabel="frame", xlim=(0, len(z)))
     states.legend(fontsize=8, ncols=4, loc="center left")
     axes = right.subplots()

@@ -34,7 +34,7 @@ def mirrored(motion: Motion) -> Motion:
     _, orientations = skeleton.forward_kinematics(skeleton.rotations_from_angles(motion.angles))
     turned = {}
     for joint in skeleton.JOINTS:
-        other = _other_side(joint)
+        other = skeleton.other_side(joint)
         seen = _FLIP @ orientations[:, skeleton.JOINTS.index(other)] @ _FLIP
         if joint in LIMBS:
             bone = np.array(skeleton.OFFSETS[LIMBS[joint]])
@@ -42,9 +42,3 @@ def mirrored(motion: Motion) -> Motion:
         turned[joint] = seen
     angles = skeleton.angles_from_rotations(local_rotations(turned))
     return replace(motion, angles=angles, root_position=motion.root_position @ _FLIP)
-
-
-def _other_side(joint: str) -> str:
-    side, _, rest = joint.partition("_")
-    other = {"left": "right", "right": "left"}.get(side)
-    return f"{other}_{rest}" if other else joint

@@ -49,18 +49,8 @@ def record_modes(
     )
     with recording_stream(header, layout) as recording:
         track = Track(recording, len(take), take.frames_per_second)
-        if take.masks is not None:
-            track.masks_alone(take.masks)
-        true = space.joints(truth.poses) + truth.root[:, None]
-        track.skeleton(
-            entities.TRUE_SKELETON, true, space.bones, space.joint_names, palette.TRUE, 0.013
-        )
-        track.poses(entities.TRUE_POSE, truth.poses, space)
-        track.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
+        _known(track, take, truth, space)
         _modes(track, entities.MODES, weights, means, truth.root, space)
-        for k, (method, errors) in enumerate(truth.errors.items()):
-            colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
-            track.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
 
 
 def record_hypotheses(
@@ -80,32 +70,37 @@ def record_hypotheses(
         What was tracked.
     truth : Truth
     seen : tuple of ndarray, shapes (F, k) and (F, k, D)
-        Weights and means of the mixture's modes; NaN where there was nothing to see.
+        Weights and means of the mixture's modes; of weight 0 where there was nothing to see.
     tracks : ManyTracks
     space : PoseSpace
     """
     layout = blueprint.hypotheses(seen[0].shape[1], take.frames_per_second, take.masks is not None)
     with recording_stream(header, layout) as recording:
-        lines = Track(recording, len(take), take.frames_per_second)
-        if take.masks is not None:
-            lines.masks_alone(take.masks)
-        true = space.joints(truth.poses) + truth.root[:, None]
-        lines.skeleton(
-            entities.TRUE_SKELETON, true, space.bones, space.joint_names, palette.TRUE, 0.013
-        )
-        lines.poses(entities.TRUE_POSE, truth.poses, space)
-        lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
-        _modes(lines, entities.MODES, *seen, truth.root, space)
-        _modes(lines, entities.HYPOTHESES, tracks.weights, tracks.means, truth.root, space)
+        track = Track(recording, len(take), take.frames_per_second)
+        _known(track, take, truth, space)
+        _modes(track, entities.MODES, *seen, truth.root, space)
+        _modes(track, entities.HYPOTHESES, tracks.weights, tracks.means, truth.root, space)
         entity = f"{entities.TRACKS}/hypotheses"
-        lines.poses(f"{entity}/pose", tracks.x, space)
-        lines.series(
+        track.poses(f"{entity}/pose", tracks.x, space)
+        track.series(
             f"{entity}/heading", space.heading(tracks.x), "tracker", palette.ESTIMATED, 2.0
         )
-        lines.states(entities.STATE, tracks.state, palette.STATES)
-        for method, errors in truth.errors.items():
-            colour = palette.METHODS.get(method, palette.NEUTRAL)
-            lines.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+        track.states(entities.STATE, tracks.state, palette.STATES)
+
+
+def _known(track: Track, take: Take, truth: Truth, space: PoseSpace) -> None:
+    """Log what was seen, the true poses, and how far off each method is."""
+    if take.masks is not None:
+        track.masks_alone(take.masks)
+    true = space.joints(truth.poses) + truth.root[:, None]
+    track.skeleton(
+        entities.TRUE_SKELETON, true, space.bones, space.joint_names, palette.TRUE, 0.013
+    )
+    track.poses(entities.TRUE_POSE, truth.poses, space)
+    track.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
+    for k, (method, errors) in enumerate(truth.errors.items()):
+        colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
+        track.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
 
 
 def _modes(

@@ -226,8 +226,8 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def answers(self, z: ArrayLike, least: float = 1e-6) -> tuple[Array, Array, Array]:
         """Give the components that may have an answer to one input.
 
-        What is expected is not counted here, but for whoever has an expectation of their own to
-        be added: components weigh as if all were as frequent, π_k being the same.
+        Components weigh as if all were equally frequent, without their π_k: a tracker adds what
+        it expects itself.
 
         Parameters
         ----------

@@ -14,6 +14,7 @@ from sklearn.utils.validation import check_is_fitted, validate_data
 from silpose.errors import InputError
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import Indices, NormalEquations
+from silpose.saved import part, under
 
 Array = NDArray[np.float64]
 
@@ -136,7 +137,7 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         check_is_fitted(self)
         names = ("coef_", "intercept_", "kept_", "kept_per_output_", "relevance_")
         own = {name: getattr(self, name) for name in names}
-        return own | {f"basis.{name}": value for name, value in self.basis_.state().items()}
+        return own | under("basis", self.basis_.state())
 
     @classmethod
     def from_state(cls, state: dict[str, Any]) -> Regressor:
@@ -146,7 +147,6 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
             setattr(regressor, name, np.asarray(state[name]))
         regressor.kept_ = float(state["kept_"])
         regressor.kept_per_output_ = float(state["kept_per_output_"])
-        basis = {n.removeprefix("basis."): v for n, v in state.items() if n.startswith("basis.")}
-        regressor.basis_ = Basis.from_state(basis)
+        regressor.basis_ = Basis.from_state(part("basis", state))
         regressor.n_features_in_ = regressor.basis_.n_features_in_
         return regressor
