@@ -39,7 +39,8 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
     described = prepare(rooms, run)
     space = described.data.space
     with run.stage("regression"):
-        model, rows = described.learn_mixture(rooms.candidates.mixture)
+        ridge = described.learn(rooms.candidates, ["ridge"]).regressors["ridge"]
+        model, rows = described.learn_mixture(rooms.candidates.mixture, ridge)
     z, x = (np.concatenate(part) for part in zip(*described.test, strict=True))
     z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
     with run.stage("evaluation"):

@@ -47,7 +47,7 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
     learnt = learn_to_track(rooms, run)
     described, space = learnt.described, learnt.described.data.space
     with run.stage("regression"):
-        mixture, rows = described.learn_mixture(rooms.candidates.mixture)
+        mixture, rows = described.learn_mixture(rooms.candidates.mixture, learnt.ridge)
     with run.stage("tracking"):
         settings = rooms.tracking.hypotheses
         tracker = choose_hypotheses(learnt.selection, settings, mixture, learnt.dynamics)

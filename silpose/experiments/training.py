@@ -60,12 +60,19 @@ class Described:
         return candidates.choose(methods, train, validation, self.error(part), units, self.groups)
 
     def learn_mixture(
-        self, settings: MixtureSettings
+        self, settings: MixtureSettings, shared: Regressor
     ) -> tuple[MixtureOfRegressors, list[dict[str, object]]]:
-        """Fit the mixture of regressors likeliest on validation; give the account of it, too."""
+        """Fit the mixture of regressors likeliest on validation; give the account of it, too.
+
+        Parameters
+        ----------
+        settings : MixtureSettings
+        shared : Regressor
+            With the settings best on validation.
+        """
         space = self.data.space
         return choose_mixture(
-            self.train, self.validation, settings, space.units, space.distance, self.groups
+            self.train, self.validation, settings, space.units, space.distance, self.groups, shared
         )
 
     @property

@@ -10,10 +10,33 @@ from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from silpose.regression.experts import Experts
+from silpose.regression.modes import distinct_modes
 
 Array = NDArray[np.float64]
 
 _BLOCK = 128  # inputs whose components are held at a time
+
+
+@dataclass(frozen=True)
+class Seen:
+    """Inputs, as a mixture takes them.
+
+    Attributes
+    ----------
+    psi : ndarray, shape (n, d)
+        ψ.
+    shared : ndarray, shape (n, D), or None
+        What the shared regressor says of them, if there is one.
+    """
+
+    psi: Array
+    shared: Array | None
+
+    def blocks(self) -> Iterator[Seen]:
+        """Take a few inputs at a time."""
+        for start in range(0, len(self.psi), _BLOCK):
+            rows = slice(start, start + _BLOCK)
+            yield Seen(self.psi[rows], None if self.shared is None else self.shared[rows])
 
 
 @dataclass(frozen=True)
@@ -28,30 +51,36 @@ class ConditionalDensity:
     experts : Experts
     anywhere : ndarray, shape (2, d)
         Mean and variance of all training inputs.
+    heed : ndarray, shape (K, D), or None
+        How far each component's answer moves towards the shared regressor's, 0 to 1.
     temperature, noise_width, doubt, floor : float
         As `MixtureOfRegressors` explains them.
     """
 
     experts: Experts
     anywhere: Array
+    heed: Array | None
     temperature: float
     noise_width: float
     doubt: float
     floor: float
 
-    def log_weights(self, psi: Array) -> Array:
+    def log_weights(self, seen: Seen) -> Array:
         """Log π_k(ψ) of K components and of none, shape (n, K + 1)."""
-        gates = self.experts.log_gates(psi, self.temperature)
+        gates = self.experts.log_gates(seen.psi, self.temperature)
         mean, variance = self.anywhere
-        off = ((psi - mean) ** 2 / variance + np.log(2 * np.pi * variance)).sum(axis=1)
+        off = ((seen.psi - mean) ** 2 / variance + np.log(2 * np.pi * variance)).sum(axis=1)
         with np.errstate(divide="ignore"):
             anywhere = np.log(self.doubt) - 0.5 * off / self.temperature
         gates = np.column_stack([np.log1p(-self.doubt) + gates, anywhere])
         return gates - logsumexp(gates, axis=1, keepdims=True)
 
-    def means(self, psi: Array) -> Array:
-        """x̄_k(ψ), shape (n, K + 1, D)."""
-        means = self.experts.means(psi)
+    def means(self, seen: Seen, which: NDArray[np.intp] | None = None) -> Array:
+        """x̄_k(ψ) of all components, or of some, and of none, shape (n, K + 1, D)."""
+        means = self.experts.means(seen.psi, which)
+        if self.heed is not None and seen.shared is not None:
+            heed = self.heed if which is None else self.heed[which]
+            means += heed * (seen.shared[:, None] - means)
         return np.concatenate([means, np.zeros_like(means[:, :1])], axis=1)
 
     def variances(self) -> Array:
@@ -59,45 +88,57 @@ class ConditionalDensity:
         own = np.maximum(self.noise_width * self.experts.noises, self.floor**2)
         return np.vstack([own, np.ones(own.shape[1])])
 
-    def answers(self, psi: Array, least: float) -> tuple[Array, Array, Array]:
-        """Log weights, means and variances of components that matter to one input (1, d).
+    def answers(self, seen: Seen, least: float) -> tuple[Array, Array, Array]:
+        """Log weights, means and variances of components that matter to one input.
 
         Their shares π_k are left out: components weigh as if all were as frequent.
         """
         shares = self.experts.log_shares
-        log_weights = self.log_weights(psi)[0] - np.append(shares, shares.mean())
+        log_weights = self.log_weights(seen)[0] - np.append(shares, shares.mean())
         matter = log_weights > log_weights.max() + np.log(least)
         matter[-1] = True
-        own = np.flatnonzero(matter[:-1])
-        means = np.vstack(
-            [self.experts.means(psi, own)[0], np.zeros(self.experts.offsets.shape[1])]
-        )
+        means = self.means(seen, np.flatnonzero(matter[:-1]))[0]
         return log_weights[matter], means, self.variances()[matter]
 
-    def blocks(self, psi: Array) -> Iterator[tuple[Array, Array]]:
-        """Log weights and means, for a few inputs at a time."""
-        for start in range(0, len(psi), _BLOCK):
-            some = psi[start : start + _BLOCK]
-            yield self.log_weights(some), self.means(some)
+    def mean(self, seen: Seen) -> Array:
+        """Mean of p(x|ψ), shape (n, D)."""
+        blocks = [(np.exp(self.log_weights(some)), self.means(some)) for some in seen.blocks()]
+        return np.concatenate([np.einsum("nk,nkd->nd", *block) for block in blocks])
 
-    def log_likelihoods(self, psi: Array, x: Array, columns: NDArray[np.bool_]) -> Array:
+    def modes(self, seen: Seen, count: int, agreement: float) -> tuple[Array, Array, Array]:
+        """Weights (n, count), means and variances (n, count, D) of `distinct_modes`."""
+        found = []
+        for some in seen.blocks():
+            own = self.log_weights(some)[:, :-1]
+            total = logsumexp(own, axis=1, keepdims=True)
+            weights, means, variances = distinct_modes(
+                np.exp(own - total), self.means(some)[:, :-1], self.experts.noises,
+                self.noise_width, count, agreement,
+            )  # fmt: skip
+            found.append((np.exp(total) * weights, means, variances))
+        weights, means, variances = map(np.concatenate, zip(*found, strict=True))
+        return weights, means, variances
+
+    def log_likelihoods(self, seen: Seen, x: Array, columns: NDArray[np.bool_]) -> Array:
         """Log p(x|ψ) of some columns of standardised poses (n, D), shape (n,)."""
         variances = self.variances()[:, columns]
         constant = np.log(2 * np.pi * variances).sum(axis=1)
         found, start = [], 0
-        for log_weights, means in self.blocks(psi):
+        for some in seen.blocks():
+            means = self.means(some)[..., columns]
             true = x[start : start + len(means), None, columns]
-            off = ((true - means[..., columns]) ** 2 / variances).sum(axis=-1)
-            found.append(logsumexp(log_weights - 0.5 * (off + constant), axis=1))
+            off = ((true - means) ** 2 / variances).sum(axis=-1)
+            found.append(logsumexp(self.log_weights(some) - 0.5 * (off + constant), axis=1))
             start += len(means)
         return np.concatenate(found)
 
-    def sample(self, psi: Array, count: int, random: np.random.Generator) -> Array:
+    def sample(self, seen: Seen, count: int, random: np.random.Generator) -> Array:
         """Draw from p(x|ψ), shape (n, count, D)."""
         drawn, variances = [], self.variances()
-        for log_weights, means in self.blocks(psi):
-            order = np.cumsum(np.exp(log_weights), axis=1)[:, None]
-            which = (random.random((len(means), count, 1)) * order[..., -1:] > order).sum(axis=-1)
+        for some in seen.blocks():
+            means, order = self.means(some), np.cumsum(np.exp(self.log_weights(some)), axis=1)
+            places = random.random((len(means), count, 1)) * order[:, None, -1:]
+            which = (places > order[:, None]).sum(axis=-1)
             centre = np.take_along_axis(means, which[..., None], axis=1)
             drawn.append(centre + np.sqrt(variances[which]) * random.standard_normal(centre.shape))
         return np.concatenate(drawn)

@@ -9,24 +9,25 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import logsumexp
 from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
 from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.errors import InputError
-from silpose.regression.density import ConditionalDensity
+from silpose.regression.density import ConditionalDensity, Seen
 from silpose.regression.experts import Prior, expectation_maximisation
 from silpose.regression.local_clusters import local_clusters
-from silpose.regression.modes import distinct_modes, sharpened
+from silpose.regression.modes import sharpened
 from silpose.regression.reduction import PoseDirections
+from silpose.regression.regressor import Regressor
+from silpose.regression.shared import SharedRegressor
 
 Array = NDArray[np.float64]
 
 _MODES = 8  # among which weights are sharpened
 _POSITIVE = (
     "clusters", "dimensions", "damping", "temperature", "noise_width", "floor", "agreement",
-    "sharpness", "smallest", "max_iter",
+    "sharpness", "shared_width", "smallest", "max_iter",
 )  # fmt: skip
 ANSWERS = ("mode", "mean")
 
@@ -63,6 +64,11 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         take weight from each other, and many weak ones from a strong one.
     answer : {"mode", "mean"}
         What `predict` gives: the most probable mode, or the mean of the mixture.
+    shared : Regressor, optional
+        Fitted to all examples; components' answers move towards its, in columns in which it errs
+        little.
+    shared_width : float
+        Factor of the variance of its error in training: the larger, the less it is heeded.
     smallest : int
         Examples that a component wants, at least.
     units : array-like, shape (D,), or None
@@ -77,6 +83,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
     Attributes
     ----------
     experts_ : Experts
+    shared_ : SharedRegressor or None
     objective_ : list of float
         What EM maximises, penalised log-likelihood per example, before each round.
     n_iter_ : int
@@ -97,6 +104,8 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         agreement: float = 1.0,
         sharpness: float = 1.0,
         answer: str = "mode",
+        shared: Regressor | None = None,
+        shared_width: float = 8.0,
         smallest: int = 5,
         units: ArrayLike | None = None,
         hellinger: bool = False,
@@ -114,6 +123,8 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.agreement = agreement
         self.sharpness = sharpness
         self.answer = answer
+        self.shared = shared
+        self.shared_width = shared_width
         self.smallest = smallest
         self.units = units
         self.hellinger = hellinger
@@ -153,6 +164,9 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
             0.5 * self.smallest, self.max_iter, self.tol,
         )  # fmt: skip
         self.n_iter_ = len(self.objective_)
+        self.shared_ = None
+        if self.shared is not None:
+            self.shared_ = SharedRegressor.fit(self.shared, inputs, poses)
         widest = self.experts_.spreads.max(axis=0)
         self.anywhere_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
         return self
@@ -188,9 +202,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         if self.answer == "mode":
             estimated = self.predict_modes(X, 1)[1][:, 0]
         else:
-            blocks = self._density.blocks(self._psi(X))
-            means = [np.einsum("nk,nkd->nd", np.exp(w), m) for w, m in blocks]
-            estimated = np.concatenate(means) * self.scale_ + self.mean_
+            estimated = self._density.mean(self._seen(X)) * self.scale_ + self.mean_
         return estimated[:, 0] if self._single else estimated
 
     def predict_modes(self, z: ArrayLike, k: int) -> tuple[Array, Array, Array]:
@@ -212,15 +224,10 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         """
         if k < 1:
             raise InputError(f"at least one mode is to be asked for, not {k}")
-        density, several = self._density, max(k, _MODES)
-        answer = density.experts.noises, self.noise_width, several, self.agreement
-        found = [
-            (1 - np.exp(w[:, -1:]), *distinct_modes(_shares(w), m[:, :-1], *answer))
-            for w, m in density.blocks(self._psi(z))
-        ]
-        some, weights, means, variances = map(np.concatenate, zip(*found, strict=True))
-        means, variances = means[:, :k], variances[:, :k]
-        weights = some * sharpened(weights, self.sharpness)[:, :k]
+        several = max(k, _MODES)
+        found = self._density.modes(self._seen(z), several, self.agreement)
+        weights, means, variances = sharpened(found[0], self.sharpness), *found[1:]
+        weights, means, variances = weights[:, :k], means[:, :k], variances[:, :k]
         return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
     def answers(self, z: ArrayLike, least: float = 1e-6) -> tuple[Array, Array, Array]:
@@ -241,9 +248,8 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         means, variances : ndarray, shape (K', D)
             Last among them is the one that stands for none.
         """
-        log_weights, means, variances = self._density.answers(
-            self._psi(np.asarray(z, dtype=float)[None]), least
-        )
+        seen = self._seen(np.asarray(z, dtype=float)[None])
+        log_weights, means, variances = self._density.answers(seen, least)
         return log_weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
     def variances(self) -> Array:
@@ -252,7 +258,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
 
     def sample(self, z: ArrayLike, count: int = 1, seed: int | None = None) -> Array:
         """Draw outputs from p(x|z), shape (n, count, D)."""
-        drawn = self._density.sample(self._psi(z), count, np.random.default_rng(seed))
+        drawn = self._density.sample(self._seen(z), count, np.random.default_rng(seed))
         return drawn * self.scale_ + self.mean_
 
     def log_likelihoods(self, z: ArrayLike, x: ArrayLike) -> Array:
@@ -263,26 +269,24 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         """
         density, x = self._density, np.asarray(x, dtype=float)
         poses = (x.reshape(len(x), -1) - self.mean_) / self.scale_
-        return density.log_likelihoods(self._psi(z), poses, self.varies_)
+        return density.log_likelihoods(self._seen(z), poses, self.varies_)
 
     @property
     def _density(self) -> ConditionalDensity:
         check_is_fitted(self)
+        shared = self.shared_
+        heed = None if shared is None else shared.heed(self.experts_.noises, self.shared_width)
         return ConditionalDensity(
-            self.experts_, self.anywhere_, self.temperature, self.noise_width, self.doubt,
+            self.experts_, self.anywhere_, heed, self.temperature, self.noise_width, self.doubt,
             self.floor,
         )  # fmt: skip
 
-    def _psi(self, z: ArrayLike) -> Array:
-        return self.reduction_.transform(validate_data(self, z, dtype=float, reset=False))
+    def _seen(self, z: ArrayLike) -> Seen:
+        z = validate_data(self, z, dtype=float, reset=False)
+        shared = None if self.shared_ is None else self.shared_.regressor.predict(z)
+        return Seen(self.reduction_.transform(z), shared)
 
     def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
         """Log-likelihood per example, of outputs at unit variance."""
         weights = None if sample_weight is None else np.asarray(sample_weight, dtype=float)
         return float(np.average(self.log_likelihoods(X, y), weights=weights))
-
-
-def _shares(log_weights: Array) -> Array:
-    """Weights of the components (n, K) if one of them is right: rows sum to 1."""
-    own = log_weights[:, :-1]
-    return np.exp(own - logsumexp(own, axis=1, keepdims=True))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 
@@ -13,12 +13,15 @@ from silpose.dataset.folds import folds
 from silpose.progress import bar
 from silpose.regression.mixture import MixtureOfRegressors
 from silpose.regression.modes import among_themselves
+from silpose.regression.regressor import Regressor
 from silpose.regression.settings import numbers
 
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
 Values = float | list[float]
+Judges = list[tuple[MixtureOfRegressors, Array, Array]]  # fitted, and held-out z and x
 
+_SCORE = "validation_log_likelihood"
 _MODES = 8  # among which the one nearest to the truth is to be told
 
 
@@ -31,16 +34,19 @@ class MixtureSettings:
     damping: float = 30.0
     temperature: Values = field(default_factory=lambda: [4.0, 8.0, 16.0])
     noise_width: Values = field(default_factory=lambda: [1.0, 2.0, 4.0])
+    shared_width: Values = field(default_factory=lambda: [1.0, 2.0, 4.0, 8.0, 16.0])
     sharpness: Values = field(default_factory=lambda: [0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.8, 4.0])
     floor: float = 0.1
     hellinger: bool = True
     random_state: int | None = 0
 
     def __post_init__(self) -> None:
-        for name in ("clusters", "temperature", "noise_width", "sharpness"):
+        for name in ("clusters", "temperature", "noise_width", "shared_width", "sharpness"):
             numbers(getattr(self, name), f"mixture.{name}")
 
-    def mixture(self, clusters: float, units: ArrayLike) -> MixtureOfRegressors:
+    def mixture(
+        self, clusters: float, units: ArrayLike, shared: Regressor | None
+    ) -> MixtureOfRegressors:
         """Make the mixture that starts from so many clusters."""
         return MixtureOfRegressors(
             int(clusters),
@@ -49,6 +55,7 @@ class MixtureSettings:
             floor=self.floor,
             hellinger=self.hellinger,
             units=units,
+            shared=shared,
             random_state=self.random_state,
         )
 
@@ -60,8 +67,12 @@ def choose_mixture(
     units: ArrayLike,
     distance: Callable[[Array, Array], Array],
     groups: Sequence[str] | None = None,
+    shared: Regressor | None = None,
 ) -> tuple[MixtureOfRegressors, list[dict[str, object]]]:
     """Fit the mixture of highest held-out likelihood, then calibrate the weights of its modes.
+
+    How far the shared regressor is heeded is chosen after the number of clusters and the gates'
+    temperature.
 
     Parameters
     ----------
@@ -74,6 +85,8 @@ def choose_mixture(
         Between true poses (n, 1, D) and modes (n, k, D): which is nearest to the truth?
     groups : sequence of str, optional
         Of each training sequence; these take turns then.
+    shared : Regressor, optional
+        Whose settings are chosen already.
 
     Returns
     -------
@@ -83,42 +96,63 @@ def choose_mixture(
     """
     pairs = folds(train, validation, groups=groups)
     clusters = numbers(settings.clusters, "mixture.clusters")
-    temperatures = numbers(settings.temperature, "mixture.temperature")
     widths = numbers(settings.noise_width, "mixture.noise_width")
-    grid = list(product(clusters, temperatures, widths))
-    score = dict.fromkeys(grid, 0.0)
-    fitted: dict[float, list[MixtureOfRegressors]] = {}
-    frames = sum(len(x) for _, judged in pairs for _, x in judged)
+    fitted: dict[float, Judges] = {}
     with bar("mixture", len(clusters) * len(pairs) + 1) as advance:
         for count in clusters:
             for learnt, judged in pairs:
-                mixture = settings.mixture(count, units).fit(*_joined(learnt))
-                fitted.setdefault(count, []).append(mixture)
-                z, x = _joined(judged)
-                for setting in (s for s in grid if s[0] == count):
-                    mixture.set_params(temperature=setting[1], noise_width=setting[2])
-                    score[setting] += float(mixture.log_likelihoods(z, x).sum()) / frames
+                mixture = settings.mixture(count, units, shared).fit(*_joined(learnt))
+                fitted.setdefault(count, []).append((mixture, *_joined(judged)))
                 advance(1)
-        best = max(grid, key=lambda setting: score[setting])
-        chosen = {"temperature": best[1], "noise_width": best[2]}
-        judges = [
-            (m.set_params(**chosen), *_joined(judged))
-            for m, (_, judged) in zip(fitted[best[0]], pairs, strict=True)
-        ]
+        grid = {
+            "temperature": numbers(settings.temperature, "mixture.temperature"),
+            "noise_width": widths,
+        }
+        rows = [row for c, judges in fitted.items() for row in _judged(judges, grid, clusters=c)]
+        best = _likeliest(rows)
+        judges = fitted[best["clusters"]]
+        if shared is not None:
+            grid = {
+                "noise_width": widths,
+                "shared_width": numbers(settings.shared_width, "mixture.shared_width"),
+            }
+            more = _judged(judges, grid, **best)
+            rows += more
+            best = _likeliest(more)
+        count = best.pop("clusters")
+        for mixture, _, _ in judges:
+            mixture.set_params(**best)
         sharpness = _calibrated(judges, numbers(settings.sharpness, "mixture.sharpness"), distance)
-        mixture = settings.mixture(best[0], units).set_params(**chosen, sharpness=sharpness)
+        mixture = settings.mixture(count, units, shared).set_params(**best, sharpness=sharpness)
         mixture.fit(*_joined(train))
         advance(1)
-    names = ("clusters", "temperature", "noise_width")
-    rows: list[dict[str, object]] = [
-        {"method": "mixture", **dict(zip(names, s, strict=True)), "validation_log_likelihood": v}
-        for s, v in score.items()
-    ]
-    return mixture, rows
+    return mixture, [{"method": "mixture", **row} for row in rows]
+
+
+def _judged(
+    judges: Judges, grid: Mapping[str, Sequence[float]], **given: float
+) -> list[dict[str, float]]:
+    """Log-likelihood per held-out frame under each of the settings, others being given."""
+    rows = []
+    frames = sum(len(z) for _, z, _ in judges)
+    for values in product(*grid.values()):
+        setting = given | dict(zip(grid, values, strict=True))
+        total = 0.0
+        for mixture, z, x in judges:
+            mixture.set_params(**{n: v for n, v in setting.items() if n != "clusters"})
+            total += float(mixture.log_likelihoods(z, x).sum())
+        rows.append(setting | {_SCORE: total / frames})
+    return rows
+
+
+def _likeliest(rows: Sequence[dict[str, float]]) -> dict[str, float]:
+    """Give the settings of the row with the highest log-likelihood."""
+    best = max(rows, key=lambda row: row[_SCORE])
+    return {name: value for name, value in best.items() if name != _SCORE}
 
 
 def _calibrated(
-    judges: Sequence[tuple[MixtureOfRegressors, Array, Array]],
+    judges: Judges,
     exponents: Sequence[float],
     distance: Callable[[Array, Array], Array],
 ) -> float:

@@ -61,8 +61,8 @@ def distinct_modes(
 
 def sharpened(weights: Array, exponent: float) -> Array:
     """Raise modes' weights (n, k) to a power, their sum kept: what is missing to 1 stays so."""
-    powers = (weights / weights.max(axis=1, keepdims=True)) ** exponent
-    return powers * weights.sum(axis=1, keepdims=True) / powers.sum(axis=1, keepdims=True)
+    powers = among_themselves(weights) ** exponent
+    return among_themselves(powers) * weights.sum(axis=1, keepdims=True)
 
 
 def among_themselves(weights: Array) -> Array:

@@ -10,6 +10,8 @@ from sklearn.utils.validation import check_is_fitted
 from silpose.regression.experts import Experts
 from silpose.regression.mixture import MixtureOfRegressors
 from silpose.regression.reduction import PoseDirections
+from silpose.regression.regressor import Regressor
+from silpose.regression.shared import SharedRegressor
 from silpose.saved import State, part, restored, state_of, under
 
 _MIXTURE = ("mean_", "scale_", "varies_", "anywhere_", "n_features_in_", "_single")
@@ -21,8 +23,11 @@ def mixture_state(mixture: MixtureOfRegressors) -> State:
     check_is_fitted(mixture)
     experts = {field.name: getattr(mixture.experts_, field.name) for field in fields(Experts)}
     reduction = state_of(mixture.reduction_, _REDUCTION)
-    own = state_of(mixture, _MIXTURE)
-    return own | under("experts", experts) | under("reduction", reduction)
+    own = state_of(mixture, _MIXTURE) | under("experts", experts) | under("reduction", reduction)
+    shared = mixture.shared_
+    if shared is None:
+        return own
+    return own | under("shared", shared.regressor.state() | {"variance": shared.variance})
 
 
 def mixture_from(state: State) -> MixtureOfRegressors:
@@ -31,4 +36,9 @@ def mixture_from(state: State) -> MixtureOfRegressors:
     experts = {name: np.asarray(value) for name, value in part("experts", state).items()}
     mixture.experts_ = Experts(**experts)
     mixture.reduction_ = restored(PoseDirections, part("reduction", state), _REDUCTION)
+    shared = part("shared", state)
+    mixture.shared_ = None
+    if shared:
+        regressor = Regressor.from_state(shared)
+        mixture.shared_ = SharedRegressor(regressor, np.asarray(shared["variance"]))
     return mixture
