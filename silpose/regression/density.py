@@ -81,7 +81,8 @@ class ConditionalDensity:
         if self.heed is not None and seen.shared is not None:
             heed = self.heed if which is None else self.heed[which]
             means += heed * (seen.shared[:, None] - means)
-        return np.concatenate([means, np.zeros_like(means[:, :1])], axis=1)
+        anything = np.zeros((len(means), 1, means.shape[2]))
+        return np.concatenate([means, anything], axis=1)
 
     def variances(self) -> Array:
         """Diagonals of Λ_k, shape (K + 1, D)."""
