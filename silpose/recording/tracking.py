@@ -62,7 +62,7 @@ def record_tracking(
         lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
         for where, (method, x) in zip(places, tracks.items(), strict=True):
             colour = palette.METHODS.get(method, palette.ESTIMATED)
-            entity = f"{entities.TRACKS}/{method}"
+            entity = entities.of(entities.TRACKS, method)
             _bodies(lines, f"{entity}/skeleton", [x], [where], height, space, colour)
             lines.poses(f"{entity}/pose", x, space)
             lines.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
@@ -81,7 +81,7 @@ def record_tracking(
         lines.states(entities.STATE, track.state, palette.STATES)
         for k, (method, errors) in enumerate(truth.errors.items()):
             colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
-            lines.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+            lines.series(entities.of(entities.ERROR, method), errors, method, colour, 1.0)
 
 
 def _bodies(
@@ -135,6 +135,5 @@ def record_extinction(
         lines = Lines(recording, frames, frames_per_second)
         for k, (method, values) in enumerate(activations.items()):
             colour = palette.hue(k, len(activations))
-            place = method.replace(" ", "_")
-            lines.bars(f"{entities.KERNELS}/{place}", values, colour)
-            lines.series(f"{entities.ERROR}/{place}", errors[method], method, colour)
+            lines.bars(entities.of(entities.KERNELS, method), values, colour)
+            lines.series(entities.of(entities.ERROR, method), errors[method], method, colour)

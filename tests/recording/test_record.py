@@ -94,7 +94,8 @@ def recordings(finished, sequence, tmp_path_factory):
     weights = np.tile([0.7, 0.3], (len(sequence), 1))
     weights[::2] = [1.0, 0.0]  # where there is one answer only
     modes = np.stack([sequence.x, sequence.x[::-1]], axis=1)
-    record_modes(heads[6], sequence, truth, weights, modes, ANGLES)
+    named = Truth.of(sequence, Camera(), {"best of 2": np.zeros(len(sequence))}, ANGLES)
+    record_modes(heads[6], sequence, named, weights, modes, ANGLES)
     many = ManyTracks(sequence.x, states, weights, modes)
     record_hypotheses(heads[7], sequence, truth, (weights, modes), many, ANGLES)
     return [finished.recording, *paths]
@@ -121,6 +122,12 @@ def test_each_verifies(recordings):
 
 def test_together_they_hold_every_entity_and_no_other(recordings):
     assert set().union(*map(entities_of, recordings)) == ENTITIES
+
+
+def test_names_of_several_words_make_plain_paths(recordings):
+    found = {c.entity_path for recording in recordings for c in RrdReader(recording).stream()}
+    assert f"{entities.ERROR}/best_of_2" in found
+    assert not [path for path in found if "\\" in path or " " in path]
 
 
 def test_a_run_is_measured_by_every_method(finished):
