@@ -106,7 +106,7 @@ def tracking(
         ),
         row_shares=[3.2, 0.5, 1, 1],
     )
-    belief = bars_view(entities.BELIEF, "tracking: belief over key poses")
+    belief = bars_view(entities.BELIEF, "tracking: belief, by heading in degrees")
     mask = rrb.Spatial2DView(
         origin=entities.CAMERA, contents=[entities.MASK], name="silhouette: mask"
     )

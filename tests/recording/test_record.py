@@ -79,7 +79,8 @@ def recordings(finished, sequence, tmp_path_factory):
     states = ["starting", *["tracking"] * 20, *["lost"] * (len(sequence) - 21)]
     track = Track(sequence.x, states, np.eye(len(sequence)))
     tracks = {"ridge": sequence.x, "tracker": sequence.x}
-    record_tracking(heads[3], sequence, truth, tracks, track, ANGLES)
+    facing = np.linspace(-180, 180, len(sequence))
+    record_tracking(heads[3], sequence, truth, tracks, track, facing, ANGLES)
     kernels = {"usual": np.eye(5), "narrow": np.zeros((5, 5))}
     record_extinction(heads[4], figure, kernels, errors, 15.0)
     few = sequence.masks[:6]
@@ -201,5 +202,5 @@ def test_400_tracked_frames_fit_in_4_MB(sequence, tmp_path):
     tracks = {m: x + rng.normal(size=x.shape) for m in ("ridge", "dynamics", "joint", "tracker")}
     track = Track(x, ["tracking"] * 400, beliefs)
     file = tmp_path / "run.rrd"
-    record_tracking(header(file), take, truth, tracks, track, ANGLES)
+    record_tracking(header(file), take, truth, tracks, track, rng.uniform(-180, 180, 370), ANGLES)
     assert 2e6 < file.stat().st_size < 4e6
