@@ -74,7 +74,8 @@ plt.show()
 
 # %%
 cos_sin = tracker.poses_[:, :2] * tracker.scale_[:2] + tracker.mean_[:2]
-order = np.argsort(np.arctan2(cos_sin[:, 1], cos_sin[:, 0]))
+facing = data.space.heading(cos_sin)
+order = np.argsort(facing)
 plt.figure(figsize=(12, 4))
 plt.imshow(np.sqrt(track.beliefs[:, order].T), aspect="auto", cmap="magma")
 plt.xlabel("frame")
@@ -111,5 +112,5 @@ errors = {name: data.space.distance(test.x, x) for name, x in estimates.items()}
 truth = Truth.of(test, rooms.camera, errors, data.space)
 shown = {name: estimates[name] for name in ("ridge", "tracker")}
 header = Header("tracking", "notebook", Path("tracking.rrd"), f"test of {test.performer}")
-record_tracking(header, test, truth, shown, track, data.space)
+record_tracking(header, test, truth, shown, track, facing, data.space)
 show(header.file)

@@ -14,6 +14,7 @@ import numpy as np
 import yaml
 
 from silpose.errors import InputError
+from silpose.run_settings import differing
 from silpose.writing import partial
 
 if TYPE_CHECKING:
@@ -172,11 +173,9 @@ def _row(folder: Path) -> dict[str, Any]:
 
 def _add_varied(runs: Sequence[tuple[Path, dict[str, Any]]]) -> None:
     """Add to the rows of an experiment's runs the settings in which these differ."""
-    table = _pandas().json_normalize([_settings(folder) for folder, _ in runs])
-    differ = table.columns[table.astype(str).nunique(dropna=False) > 1]
-    names = [name for name in differ if name != "seed" and not name.startswith("recording.")]
-    for (_, row), own in zip(runs, table[names].to_dict("records"), strict=True):
-        row |= own
+    settings = differing([_settings(folder) for folder, _ in runs])
+    for (_, row), own in zip(runs, settings, strict=True):
+        row |= {name: value for name, value in own.items() if name != "seed"}
 
 
 def _settings(folder: Path) -> dict[str, Any]:

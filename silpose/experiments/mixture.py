@@ -63,14 +63,14 @@ def mixture(rooms: Rooms, run: Run, gmr: Sequence[int]) -> None:
             "neighbours": neighbour_modes(z_train, x_train, z, max(BEST_OF)),
         }
         likelihoods = {"mixture_top1": model.log_likelihoods(z, x)}
-        data = described.train, described.validation, model
+        data = described.train, described.validation, model, described.groups
         single, width = choose_peer([lambda: SingleGaussian(ridge)], WIDTHS, *data)
-        likelihoods["ridge"] = single.log_likelihoods(z, x, width)
+        likelihoods["ridge"] = single.log_likelihoods(z, x, [width])[0]
         if find_spec("gmr") and gmr:
             makers = [lambda k=k: GaussianMixtureRegression(k) for k in gmr]
             joint, width = choose_peer(makers, WIDTHS, *data)
             assert isinstance(joint, GaussianMixtureRegression)
-            likelihoods["gmr_top1"] = joint.log_likelihoods(z, x, width)
+            likelihoods["gmr_top1"] = joint.log_likelihoods(z, x, [width])[0]
             modes["gmr"] = joint.predict_modes(z, max(BEST_OF))
         estimates = baselines(space, z_train, x_train, z, x) | {"ridge": ridge.predict(z)}
         estimates |= best_of(space, modes, x)

@@ -18,13 +18,13 @@ Examples = Sequence[tuple[Array, Array]]
 
 
 class Peer(Protocol):
-    """Says p(x|z); `width` multiplies its variances."""
+    """Says p(x|z); `widths` multiply its variances."""
 
     def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> Peer:
         """Learn; from `mixture` come the reduced input, the standard scale and the floor."""
 
-    def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
-        """Log p(x|z), shape (n,), on the standard scale."""
+    def log_likelihoods(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
+        """Log p(x|z) with each of W widths, shape (W, n), on the standard scale."""
 
 
 class SingleGaussian:
@@ -45,13 +45,14 @@ class SingleGaussian:
         self._mixture = mixture
         return self
 
-    def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
-        """Log p(x|z), shape (n,), on the standard scale."""
+    def log_likelihoods(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
+        """Log p(x|z) with each of W widths, shape (W, n), on the standard scale."""
         varies, scale = self._mixture.varies_, self._mixture.scale_
         estimated, std = self._fitted.predict(z, return_std=True)
-        variance = np.maximum(width * (std / scale) ** 2, self._mixture.floor**2)[:, varies]
+        own = ((std / scale) ** 2)[:, varies]
         off = ((x - estimated) / scale)[:, varies] ** 2
-        return -0.5 * (off / variance + np.log(2 * np.pi * variance)).sum(axis=1)
+        variances = [np.maximum(width * own, self._mixture.floor**2) for width in widths]
+        return np.array([-0.5 * (off / v + np.log(2 * np.pi * v)).sum(axis=1) for v in variances])
 
 
 class GaussianMixtureRegression:
@@ -71,14 +72,12 @@ class GaussianMixtureRegression:
 
         self._mixture = mixture
         psi = mixture.reduction_.transform(z)
-        poses = self._standard(x)
         d = psi.shape[1]
-        joint = GMM(self._components, random_state=0)
+        samples = np.hstack([psi, self._standard(x)])
+        start = _first_covariances(samples, self._components)
+        joint = GMM(self._components, covariances=start, random_state=0)
         joint.from_samples(
-            np.hstack([psi, poses]),
-            n_iter=30,
-            init_params="kmeans++",
-            oracle_approximating_shrinkage=True,
+            samples, n_iter=30, init_params="kmeans++", oracle_approximating_shrinkage=True
         )
         self._log_priors = np.log(joint.priors)
         self._gate, self._offset = joint.means[:, :d], joint.means[:, d:]
@@ -103,14 +102,20 @@ class GaussianMixtureRegression:
         gates = self._log_priors - 0.5 * (squared + np.linalg.slogdet(self._within)[1])
         return gates - logsumexp(gates, axis=1, keepdims=True), means
 
-    def log_likelihoods(self, z: Array, x: Array, width: float) -> Array:
-        """Log p(x|z), shape (n,), on the standard scale; eigenvalues have the common floor."""
+    def log_likelihoods(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
+        """Log p(x|z) with each of W widths, shape (W, n), on the standard scale.
+
+        Eigenvalues have the common floor.
+        """
         gates, means = self._conditioned(z)
-        variance = np.maximum(width * self._values, self._mixture.floor**2)
-        along = (self._standard(x) - means) @ self._vectors
-        off = (along**2 / variance[:, None]).sum(axis=2).T
-        constant = np.log(2 * np.pi * variance).sum(axis=1)
-        return logsumexp(gates - 0.5 * (off + constant), axis=1)
+        along = ((self._standard(x) - means) @ self._vectors) ** 2
+        found = []
+        for width in widths:
+            variance = np.maximum(width * self._values, self._mixture.floor**2)
+            off = (along @ (1 / variance)[..., None])[..., 0].T
+            constant = np.log(2 * np.pi * variance).sum(axis=1)
+            found.append(logsumexp(gates - 0.5 * (off + constant), axis=1))
+        return np.array(found)
 
     def predict_modes(self, z: Array, k: int) -> Array:
         """Means of the k most probable components, best first, shape (n, k, D)."""
@@ -121,6 +126,16 @@ class GaussianMixtureRegression:
         modes = np.tile(mixture.mean_, (len(z), order.shape[1], 1))
         modes[..., mixture.varies_] += chosen * mixture.scale_[mixture.varies_]
         return modes
+
+
+def _first_covariances(samples: Array, components: int) -> Array:
+    """Give those that `gmr` starts from, shape (K, p, p): (mean |a - b| of two samples / K)².
+
+    It goes through all pairs of samples (n, p); sorted, each counts as often as it is the larger.
+    """
+    n = len(samples)
+    apart = 2 * (2 * np.arange(n) - n + 1) @ np.sort(samples, axis=0) / (n * (n - 1))
+    return np.tile(np.diag((apart / components) ** 2), (components, 1, 1))
 
 
 def neighbour_modes(z_train: Array, x_train: Array, z: Array, k: int) -> Array:
@@ -135,14 +150,15 @@ def choose_peer(
     train: Examples,
     validation: Examples,
     mixture: MixtureOfRegressors,
+    groups: Sequence[str] | None,
 ) -> tuple[Peer, float]:
     """Fit the peer, and find the factor of its variances, of highest held-out likelihood."""
-    pairs = folds(train, validation)
+    pairs = folds(train, validation, groups=groups)
     scores = np.zeros((len(makers), len(widths)))
     for row, make in zip(scores, makers, strict=True):
         for learnt, judged in pairs:
             peer = make().fit(*_joined(learnt), mixture)
-            row += [float(peer.log_likelihoods(*_joined(judged), width).sum()) for width in widths]
+            row += peer.log_likelihoods(*_joined(judged), widths).sum(axis=1)
     best, width = np.unravel_index(int(scores.argmax()), scores.shape)
     return makers[int(best)]().fit(*_joined(train), mixture), widths[int(width)]
 

@@ -12,7 +12,7 @@ from sklearn.base import clone
 from silpose.errors import InputError
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import Described, Examples, prepare
-from silpose.regression import RidgeRegressor
+from silpose.regression import Candidates, RidgeRegressor
 from silpose.run import Run
 from silpose.tracking import (
     PointTracker,
@@ -35,16 +35,23 @@ class Learnt:
     Attributes
     ----------
     described : Described
-    ridge : RidgeRegressor
-        The single-image regressor.
+    candidates : Candidates
+        Settings of the single-image regressor.
     selection : Selection
     settings : TrackingSettings
     """
 
     described: Described
-    ridge: RidgeRegressor
+    candidates: Candidates
     selection: Selection
     settings: TrackingSettings
+
+    @cached_property
+    def ridge(self) -> RidgeRegressor:
+        """The single-image regressor."""
+        ridge = self.described.learn(self.candidates, ["ridge"]).regressors["ridge"]
+        assert isinstance(ridge, RidgeRegressor)
+        return ridge
 
     @cached_property
     def tracker(self) -> Tracker:
@@ -82,16 +89,13 @@ class Learnt:
 
 
 def learn_to_track(rooms: Rooms, run: Run) -> Learnt:
-    """Prepare the data, and choose the single-image regressor."""
+    """Prepare the data."""
     described = prepare(rooms, run)
     shortest = min((len(x) for _, x in described.test), default=0)
     if shortest < 3:
         raise InputError(f"a test sequence of {shortest} frames is too short to be tracked")
-    with run.stage("regression"):
-        ridge = described.learn(rooms.candidates, ["ridge"]).regressors["ridge"]
-    assert isinstance(ridge, RidgeRegressor)
     rate = described.data.test[0].frames_per_second
     selection = Selection(
         described.train, described.validation, described.data.space, rate, described.groups
     )
-    return Learnt(described, ridge, selection, rooms.tracking)
+    return Learnt(described, rooms.candidates, selection, rooms.tracking)

@@ -83,12 +83,10 @@ def _write(
     track: Track,
     metrics: Mapping[str, Mapping[str, float]],
 ) -> None:
-    described = learnt.described
+    described, tracker = learnt.described, learnt.tracker
     take, space = described.data.test[0], described.data.space
     errors = {method: space.distance(take.x, x) for method, x in tracks.items()}
-    model = PoseModel(
-        described.descriptor, learnt.ridge, space, take.frames_per_second, learnt.tracker
-    )
+    model = PoseModel(described.descriptor, learnt.ridge, space, take.frames_per_second, tracker)
     with run.writing("model.npz") as path:
         model.save(path)
     with run.writing("tracking.png") as path:
@@ -99,6 +97,7 @@ def _write(
         Truth.of(take, rooms.camera, errors, space),
         {method: tracks[method] for method in ("ridge", "dynamics", "joint", "tracker")},
         track,
+        space.heading(tracker.poses_ * tracker.scale_ + tracker.mean_),
         space,
     )
 

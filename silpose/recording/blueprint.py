@@ -55,7 +55,7 @@ def single_image(
         series_view(
             "heading norm: drops where the estimate doubts", [entities.HEADING_NORM], (0.0, 1.3)
         ),
-        series_view(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
+        series_view(metric.replace("_", " "), [entities.of(entities.ERROR, m) for m in shown]),
         row_shares=[3.4, 1, 0.7, 1],
     )
     return layout(
@@ -85,25 +85,28 @@ def tracking(
     methods: Sequence[str], frames_per_second: float, metric: str, masks: bool
 ) -> rrb.Blueprint:
     """Lay out several methods' estimates side by side, and a tracker's state below."""
-    headings = [entities.TRUE_HEADING, *(f"{entities.TRACKS}/{m}/heading" for m in methods[-1:])]
+    headings = [
+        entities.TRUE_HEADING,
+        *(f"{entities.of(entities.TRACKS, m)}/heading" for m in methods[-1:]),
+    ]
     answered = rrb.Vertical(
         bodies_view(
             "true (blue) and estimated poses",
             [
                 entities.TRUE_SKELETON,
                 entities.TRACK_NAMES,
-                *(f"{entities.TRACKS}/{method}/skeleton" for method in methods),
+                *(f"{entities.of(entities.TRACKS, method)}/skeleton" for method in methods),
             ],
             from_the_front(0.75 * len(methods) + 0.5),
         ),
         state_view(),
         series_view("heading, degrees", headings),
         series_view(
-            metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in ("ridge", "tracker")]
+            metric.replace("_", " "), [entities.of(entities.ERROR, m) for m in ("ridge", "tracker")]
         ),
         row_shares=[3.2, 0.5, 1, 1],
     )
-    belief = bars_view(entities.BELIEF, "tracking: belief over key poses")
+    belief = bars_view(entities.BELIEF, "tracking: belief, by heading in degrees")
     mask = rrb.Spatial2DView(
         origin=entities.CAMERA, contents=[entities.MASK], name="silhouette: mask"
     )
@@ -126,7 +129,7 @@ def modes(
         series_view(
             "heading, degrees", [entities.TRUE_HEADING, *(f"{m}/heading" for m in each[:2])]
         ),
-        series_view(metric.replace("_", " "), [f"{entities.ERROR}/{m}" for m in shown]),
+        series_view(metric.replace("_", " "), [entities.of(entities.ERROR, m) for m in shown]),
         row_shares=[3.2, 0.9, 1, 1],
     )
     if not masks:
@@ -180,7 +183,7 @@ def hypotheses(count: int, frames_per_second: float, masks: bool) -> rrb.Bluepri
 def extinction(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
     """Lay out kernels that stop firing, and what becomes of the track."""
     kernels = [
-        bars_view(f"{entities.KERNELS}/{t.replace(' ', '_')}", f"activation of the kernels: {t}")
+        bars_view(entities.of(entities.KERNELS, t), f"activation of the kernels: {t}")
         for t in trackers
     ]
     shown = rrb.Vertical(

@@ -12,9 +12,10 @@ from rerun.chunk import Chunk
 from silpose.errors import InputError
 from silpose.finished import FinishedRun
 from silpose.recording import blueprint, entities, palette
-from silpose.recording.header import Header, flat, results_table
+from silpose.recording.header import Header, results_table
 from silpose.recording.read import reader
 from silpose.recording.stream import recording_stream
+from silpose.run_settings import differing, typed
 
 _SHARED = (entities.FIGURE, entities.SETTINGS, entities.METRICS, entities.SEQUENCE)
 
@@ -61,15 +62,10 @@ def compare(runs: Sequence[FinishedRun], path: Path, method: str | None = None) 
 
 def _in_words(names: Iterable[str], runs: Sequence[FinishedRun]) -> str:
     """Say which settings differ, and give each run's results."""
-    settings = [dict(flat(yaml.safe_load(run.config) or {})) for run in runs]
-    differ = [
-        name
-        for name in dict.fromkeys(name for own in settings for name in own)
-        if not name.startswith("recording.") and len({own.get(name) for own in settings}) > 1
-    ]
-    titles = ["run", *differ]
+    settings = differing([yaml.safe_load(run.config) or {} for run in runs])
+    titles = ["run", *settings[0]]
     rows = [
-        [name, *(own.get(setting, "") for setting in differ)]
+        [name, *("" if value is None else typed(value) for value in own.values())]
         for name, own in zip(names, settings, strict=True)
     ]
     ruled = [titles, [":--"] * len(titles), *rows]
@@ -77,7 +73,7 @@ def _in_words(names: Iterable[str], runs: Sequence[FinishedRun]) -> str:
     results = [
         f"**{name}**\n\n{results_table(run.metrics)}" for name, run in zip(names, runs, strict=True)
     ]
-    return "\n\n".join([table if differ else "no setting differs", *results])
+    return "\n\n".join([table if settings[0] else "no setting differs", *results])
 
 
 def _below(name: str, chunk: Chunk) -> Chunk:

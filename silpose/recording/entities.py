@@ -48,3 +48,8 @@ ERROR = "/evaluation/error"  # one entity below it per method
 FIGURE = "/run/figure"
 SETTINGS = "/run/settings"
 METRICS = "/run/metrics"
+
+
+def of(root: str, name: str) -> str:
+    """Give the entity below another that belongs to a method, or whatever is compared."""
+    return f"{root}/{name.replace(' ', '_')}"  # blanks in paths want escapes

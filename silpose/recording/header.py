@@ -6,7 +6,6 @@ import platform
 import shutil
 import subprocess
 import zlib
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.metadata import version
@@ -18,6 +17,7 @@ import yaml
 from silpose.headlines import Results, headlines
 from silpose.recording import entities
 from silpose.recording.sinks import Sinks
+from silpose.run_settings import flat, typed
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,8 @@ class Header:
             for name, value in own.items()
         }
         groups: dict[str, dict[str, Any]] = {
-            "settings": dict(flat(self._choices())),
+            # As text: what is a number here may be a list, or nothing, in the next run.
+            "settings": {n: typed(v) for n, v in flat(self._choices()) if v is not None},
             "metrics": values,
             "versions": versions(),
         }
@@ -91,19 +92,6 @@ def results_table(results: Results) -> str:
     ruler = ":--|" + "--:|" * (len(titles) - 1)
     table = [" | ".join(titles), ruler.strip("|"), *(" | ".join(row) for row in rows)]
     return "\n".join(f"| {line} |" for line in table)
-
-
-def flat(settings: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, str]]:
-    """Give settings by their full names, as they would be typed.
-
-    All are text: a setting that is a number here may be a list, or nothing, in the next run.
-    """
-    for name, value in settings.items():
-        if isinstance(value, Mapping):
-            yield from flat(value, f"{prefix}{name}.")
-        elif value is not None:
-            text = yaml.safe_dump(value, default_flow_style=True, width=10_000)
-            yield f"{prefix}{name}", text.removesuffix("...\n").strip()
 
 
 @cache

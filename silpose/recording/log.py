@@ -123,14 +123,19 @@ class Track:
             [len(p) for p in points],
         )
 
-    def bars(self, entity: str, values: Array, colour: palette.Colour) -> None:
-        """Log a bar chart per frame, ``values (F, B)``."""
+    def bars(
+        self, entity: str, values: Array, colour: palette.Colour, places: Array | None = None
+    ) -> None:
+        """Log a bar chart per frame, ``values (F, B)``, at even ``places (B,)`` or numbered."""
+        widths = None if places is None else np.full(len(places), 0.9 * (places[1] - places[0]))
         # Half precision is finer than a pixel of a bar, and half of the file.
         fine = np.float16 if np.nanmax(values) < np.finfo(np.float16).max else np.float32
         for frame, row in enumerate(values.astype(fine)):
             self._recording.set_time("frame", sequence=frame)
             self._recording.set_time("time", duration=self._times[frame])
-            self._recording.log(entity, rr.BarChart(row, color=colour))
+            self._recording.log(
+                entity, rr.BarChart(row, color=colour, abscissa=places, widths=widths)
+            )
         self._recording.reset_time()
 
     def skeleton(

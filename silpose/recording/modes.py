@@ -100,7 +100,7 @@ def _known(track: Track, take: Take, truth: Truth, space: PoseSpace) -> None:
     track.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
     for k, (method, errors) in enumerate(truth.errors.items()):
         colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
-        track.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+        track.series(entities.of(entities.ERROR, method), errors, method, colour, 1.0)
 
 
 def _modes(

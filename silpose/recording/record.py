@@ -74,7 +74,11 @@ def record_single_image(
             colour = palette.ESTIMATED if method == shown[0] else palette.METHODS.get(method)
             width = 2.0 if method == shown[0] else 1.0
             track.series(
-                f"{entities.ERROR}/{method}", errors, method, colour or palette.NEUTRAL, width
+                entities.of(entities.ERROR, method),
+                errors,
+                method,
+                colour or palette.NEUTRAL,
+                width,
             )
 
 

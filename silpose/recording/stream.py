@@ -11,9 +11,11 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
+from silpose.recording import entities
 from silpose.recording.header import Header
 from silpose.recording.live import connect
 from silpose.recording.log import log_text
+from silpose.recording.views import hide
 from silpose.writing import writing
 
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
@@ -35,6 +37,8 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
         # By default rows are gathered for a fifth of a second: where a chunk ends would be chance.
         batcher_config=rr.ChunkBatcherConfig(flush_tick=3600),
     )
+    if not header.settings:
+        hide(layout.root_container, entities.SETTINGS)
     with writing(header.file) as path:
         live = connect(recording, header, layout)
         recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)

@@ -52,7 +52,7 @@ def record_study(
         if len(masks):
             track.masks_alone(masks)
         for k, (what, errors) in enumerate(series.items()):
-            entity = f"{entities.ERROR}/{what.replace(' ', '_')}"
+            entity = entities.of(entities.ERROR, what)
             track.series(entity, errors, what, palette.hue(k, len(series)), 1.5)
 
 

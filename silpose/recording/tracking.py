@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 
 _APART = 1.0  # metres between the places where the estimates stand
 _OVERHEAD = 1.85  # metres
+_BIN = 15  # degrees of heading in a bar
 
 
 def record_tracking(
@@ -30,6 +31,7 @@ def record_tracking(
     truth: Truth,
     tracks: Mapping[str, Array],
     track: Track,
+    facing: Array,
     space: PoseSpace,
 ) -> None:
     """Write how several methods follow one sequence.
@@ -45,6 +47,8 @@ def record_tracking(
         Estimates that are drawn, from left to right; the last is the tracker's.
     track : Track
         The tracker's states and beliefs.
+    facing : ndarray, shape (K,)
+        Heading of each key pose that beliefs are over, degrees.
     space : PoseSpace
     """
     layout = blueprint.tracking(
@@ -62,7 +66,7 @@ def record_tracking(
         lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
         for where, (method, x) in zip(places, tracks.items(), strict=True):
             colour = palette.METHODS.get(method, palette.ESTIMATED)
-            entity = f"{entities.TRACKS}/{method}"
+            entity = entities.of(entities.TRACKS, method)
             _bodies(lines, f"{entity}/skeleton", [x], [where], height, space, colour)
             lines.poses(f"{entity}/pose", x, space)
             lines.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
@@ -77,11 +81,19 @@ def record_tracking(
             ),
             static=True,
         )
-        lines.bars(entities.BELIEF, track.beliefs, palette.ESTIMATED)
+        middles = np.arange(-180 + _BIN / 2, 180, _BIN)
+        shares = _by_heading(track.beliefs, facing)
+        lines.bars(entities.BELIEF, shares, palette.ESTIMATED, middles)
         lines.states(entities.STATE, track.state, palette.STATES)
         for k, (method, errors) in enumerate(truth.errors.items()):
             colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
-            lines.series(f"{entities.ERROR}/{method}", errors, method, colour, 1.0)
+            lines.series(entities.of(entities.ERROR, method), errors, method, colour, 1.0)
+
+
+def _by_heading(beliefs: Array, facing: Array) -> Array:
+    """Gather beliefs (F, K) by heading: as many bars can be told apart, and two answers be seen."""
+    bins = 360 // _BIN
+    return beliefs @ np.eye(bins)[((facing + 180) // _BIN).astype(int) % bins]
 
 
 def _bodies(
@@ -135,6 +147,5 @@ def record_extinction(
         lines = Lines(recording, frames, frames_per_second)
         for k, (method, values) in enumerate(activations.items()):
             colour = palette.hue(k, len(activations))
-            place = method.replace(" ", "_")
-            lines.bars(f"{entities.KERNELS}/{place}", values, colour)
-            lines.series(f"{entities.ERROR}/{place}", errors[method], method, colour)
+            lines.bars(entities.of(entities.KERNELS, method), values, colour)
+            lines.series(entities.of(entities.ERROR, method), errors[method], method, colour)

@@ -48,6 +48,15 @@ def layout(
     )
 
 
+def hide(part: rrb.Container | rrb.View, origin: str) -> None:
+    """Hide the views of an entity to which nothing is logged: those beside it take its room."""
+    if isinstance(part, rrb.Container):
+        for inner in part.contents:
+            hide(inner, origin)
+    elif part.origin == origin:
+        part.visible = False
+
+
 def seen_view(window: Window | None) -> rrb.Container:
     """Show what was seen: mask, codebook, histogram, activations."""
     bars = [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg.blas import dger
 
 from silpose.regression.bridges import START_DAMPING, Bridges, cross
 from silpose.regression.normal_equations import Indices, NormalEquations
@@ -74,7 +75,7 @@ def _remove(system: NormalEquations, kept: Indices, number: int) -> Indices:
     # by ‖a_k‖² / P_kk, and P and A follow by a rank-one update.
     gram = system.gram[np.ix_(kept, kept)]
     gram.flat[:: len(gram) + 1] += _DAMPING
-    inverse = cho_solve(cho_factor(gram, lower=True), np.eye(len(gram)))
+    inverse = np.asfortranarray(cho_solve(cho_factor(gram, lower=True), np.eye(len(gram))))
     a = inverse @ system.target[kept]
     alive = np.ones(len(kept), dtype=bool)
     for _ in range(number):
@@ -83,6 +84,6 @@ def _remove(system: NormalEquations, kept: Indices, number: int) -> Indices:
         alive[k] = False
         column = inverse[:, k] / inverse[k, k]
         a -= column[:, None] * a[k]
-        inverse -= column[:, None] * inverse[k]
+        dger(-1.0, column, inverse[k].copy(), a=inverse, overwrite_a=True)  # in place: large
         inverse[k, k] = 1.0  # out of the game
     return kept[alive]

@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 
 _STRENGTH = 5.0  # examples that the typical variances are worth
 _IGNORED = 1e-6  # responsibility below which an example is left out of a component
+_ROUNDED_OFF = 40.0  # difference of logs beyond which the smaller adds nothing to the larger
 
 
 @dataclass(frozen=True)
@@ -122,17 +123,34 @@ class Experts:
             means[:, place] = self.offsets[k] + (inputs - self.centres[k]) @ self.slopes[k]
         return means
 
-    def log_densities(self, inputs: Array, poses: Array) -> Array:
-        """Log N(x; x̄_k, Λ_k), shape (n, K)."""
-        densities = np.empty((len(inputs), len(self.offsets)))
+    @property
+    def log_peaks(self) -> Array:
+        """Log N(x̄_k; x̄_k, Λ_k), shape (K,): no density is higher."""
+        return -0.5 * np.log(2 * np.pi * self.noises).sum(axis=1)
+
+    def log_densities(self, inputs: Array, poses: Array, where: NDArray[np.bool_]) -> Array:
+        """Log N(x; x̄_k, Λ_k), shape (n, K), of the pairs of `where (n, K)`; of others -inf."""
+        densities, peaks = np.full(where.shape, -np.inf), self.log_peaks
         for k, (slope, noise) in enumerate(zip(self.slopes, self.noises, strict=True)):
-            off = poses - self.offsets[k] - (inputs - self.centres[k]) @ slope
-            densities[:, k] = -0.5 * (off**2 @ (1 / noise) + np.log(2 * np.pi * noise).sum())
+            rows = np.flatnonzero(where[:, k])
+            off = poses[rows] - self.offsets[k] - (inputs[rows] - self.centres[k]) @ slope
+            densities[rows, k] = peaks[k] - 0.5 * (off**2 @ (1 / noise))
         return densities
+
+    def _log_joint(self, inputs: Array, poses: Array) -> Array:
+        """Log π_k N(ψ) N(x), shape (n, K); -inf where that is nothing beside another component.
+
+        Most are: even at their peak they could not reach what a likely component is known to give.
+        """
+        gates = self.log_gates(inputs)
+        highest = gates + self.log_peaks
+        likely = np.arange(len(self.offsets)) == highest.argmax(axis=1)[:, None]
+        known = (gates + self.log_densities(inputs, poses, likely)).max(axis=1, keepdims=True)
+        return gates + self.log_densities(inputs, poses, highest > known - _ROUNDED_OFF)
 
     def responsibilities(self, inputs: Array, poses: Array, prior: Prior) -> tuple[Array, float]:
         """Share of each component in each example (n, K), and what EM maximises: the E-step."""
-        joint = self.log_gates(inputs) + self.log_densities(inputs, poses)
+        joint = self._log_joint(inputs, poses)
         total = logsumexp(joint, axis=1, keepdims=True)
         return np.exp(joint - total), float(total.sum() - self._penalty(prior)) / len(inputs)
 

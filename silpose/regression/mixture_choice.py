@@ -163,12 +163,12 @@ def _calibrated(
     """
     scores = np.empty((len(judges), len(exponents)))
     for row, (mixture, z, x) in zip(scores, judges, strict=True):
+        weights, means, _ = mixture.set_params(sharpness=1.0).predict_modes(z, _MODES)
+        nearest = np.where(weights > 0, distance(x[:, None], means), np.inf).argmin(axis=1)
+        met = np.arange(_MODES) == nearest[:, None]
         for k, exponent in enumerate(exponents):
-            mixture.set_params(sharpness=exponent)
-            weights, means, _ = mixture.predict_modes(z, _MODES)
-            nearest = np.where(weights > 0, distance(x[:, None], means), np.inf).argmin(axis=1)
-            met = np.arange(_MODES) == nearest[:, None]
-            row[k] = ((among_themselves(weights) - met) ** 2).sum(axis=1).mean()
+            told = among_themselves(among_themselves(weights) ** exponent)
+            row[k] = ((told - met) ** 2).sum(axis=1).mean()
     frames = [len(z) for _, z, _ in judges]
     means = np.average(np.log(np.maximum(scores, 1e-12)), axis=0, weights=frames)
     return exponents[int(means.argmin())]

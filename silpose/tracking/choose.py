@@ -25,7 +25,8 @@ from silpose.tracking.tracker import Tracker
 
 Array = NDArray[np.float64]
 
-_FEW_KERNELS = 700  # of the paper's tracker while its widths are being chosen
+_FEW_KERNELS = 700  # of the paper's tracker while its widths are being chosen,
+_FEW_EXAMPLES = 10_000  # from which they learn
 _FEW_KEY_POSES = 1000  # of ours
 
 
@@ -94,7 +95,7 @@ def choose_joint(
 
     def family(learnt: Examples) -> Maker:
         ahead = clone(dynamics).fit([x for _, x in learnt])
-        examples = observed_and_sampled(learnt, ahead, settings.samples)
+        examples = observed_and_sampled(learnt, ahead, settings.samples, most=_FEW_EXAMPLES)
 
         def estimate(**widths: float) -> Estimate:
             few = regressor(min(_FEW_KERNELS, settings.centres), None, **widths).fit(*examples)

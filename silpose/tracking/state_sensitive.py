@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ceil
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -147,6 +148,7 @@ def observed_and_sampled(
     local: float = 1.0,
     along: float = 2.0,
     seed: int | None = 0,
+    most: int = 20_000,
 ) -> tuple[Array, Array, Array]:
     """Make the training examples of section V-B.
 
@@ -164,6 +166,8 @@ def observed_and_sampled(
     along : float
         Further standard deviation along the trajectory, in frames.
     seed : int or None
+    most : int
+        Examples that are given, about; of more, an even share: they hardly change what is learnt.
 
     Returns
     -------
@@ -187,5 +191,6 @@ def observed_and_sampled(
             offset = local * np.einsum("fn,fnd->fd", mixed, around)
             offset += along * random.standard_normal((len(x), 1)) * velocity
             examples.append((x + offset, z, x))
-    predicted, z, x = (np.concatenate(part) for part in zip(*examples, strict=True))
+    every_few = ceil(sum(len(part) for part, _, _ in examples) / most)
+    predicted, z, x = (np.concatenate(p)[::every_few] for p in zip(*examples, strict=True))
     return predicted, z, x

@@ -79,7 +79,8 @@ def recordings(finished, sequence, tmp_path_factory):
     states = ["starting", *["tracking"] * 20, *["lost"] * (len(sequence) - 21)]
     track = Track(sequence.x, states, np.eye(len(sequence)))
     tracks = {"ridge": sequence.x, "tracker": sequence.x}
-    record_tracking(heads[3], sequence, truth, tracks, track, ANGLES)
+    facing = np.linspace(-180, 180, len(sequence))
+    record_tracking(heads[3], sequence, truth, tracks, track, facing, ANGLES)
     kernels = {"usual": np.eye(5), "narrow": np.zeros((5, 5))}
     record_extinction(heads[4], figure, kernels, errors, 15.0)
     few = sequence.masks[:6]
@@ -94,7 +95,8 @@ def recordings(finished, sequence, tmp_path_factory):
     weights = np.tile([0.7, 0.3], (len(sequence), 1))
     weights[::2] = [1.0, 0.0]  # where there is one answer only
     modes = np.stack([sequence.x, sequence.x[::-1]], axis=1)
-    record_modes(heads[6], sequence, truth, weights, modes, ANGLES)
+    named = Truth.of(sequence, Camera(), {"best of 2": np.zeros(len(sequence))}, ANGLES)
+    record_modes(heads[6], sequence, named, weights, modes, ANGLES)
     many = ManyTracks(sequence.x, states, weights, modes)
     record_hypotheses(heads[7], sequence, truth, (weights, modes), many, ANGLES)
     return [finished.recording, *paths]
@@ -121,6 +123,12 @@ def test_each_verifies(recordings):
 
 def test_together_they_hold_every_entity_and_no_other(recordings):
     assert set().union(*map(entities_of, recordings)) == ENTITIES
+
+
+def test_names_of_several_words_make_plain_paths(recordings):
+    found = {c.entity_path for recording in recordings for c in RrdReader(recording).stream()}
+    assert f"{entities.ERROR}/best_of_2" in found
+    assert not [path for path in found if "\\" in path or " " in path]
 
 
 def test_a_run_is_measured_by_every_method(finished):
@@ -194,5 +202,5 @@ def test_400_tracked_frames_fit_in_4_MB(sequence, tmp_path):
     tracks = {m: x + rng.normal(size=x.shape) for m in ("ridge", "dynamics", "joint", "tracker")}
     track = Track(x, ["tracking"] * 400, beliefs)
     file = tmp_path / "run.rrd"
-    record_tracking(header(file), take, truth, tracks, track, ANGLES)
+    record_tracking(header(file), take, truth, tracks, track, rng.uniform(-180, 180, 370), ANGLES)
     assert 2e6 < file.stat().st_size < 4e6

@@ -36,16 +36,6 @@ def test_finds_its_start_by_itself(tracker, unseen):
     assert ANGLES.distance(x, found.x)[10:].mean() < 1.1 * told
 
 
-def test_frame_by_frame_is_the_same_as_in_one_go(tracker, unseen):
-    z = unseen[0].copy()
-    z[40:44] = np.nan
-    track = tracker.track(z)
-    tracker.start()
-    steps = [tracker.step(row) for row in z]
-    assert np.array([x for x, _ in steps]) == pytest.approx(track.x)
-    assert [state for _, state in steps] == track.state
-
-
 def test_what_comes_later_revises_what_was_thought(tracker, unseen):
     z, x = unseen
     now, later = tracker.track(z), tracker.track(z, lag=5)

@@ -34,16 +34,6 @@ def test_waiting_helps(tracker, unseen):
     assert off(x, tracker.track(z, lag=5)).mean() < off(x, tracker.track(z)).mean()
 
 
-def test_frame_by_frame_is_the_same_as_in_one_go(tracker, unseen):
-    z = unseen[0].copy()
-    z[40:44] = np.nan
-    track = tracker.track(z)
-    tracker.start()
-    steps = [tracker.step(row) for row in z]
-    assert np.array([x for x, _ in steps]) == pytest.approx(track.x)
-    assert [state for _, state in steps] == track.state
-
-
 def test_a_known_start_is_kept_and_used(tracker, unseen):
     z, x = unseen
     blind = z.copy()
