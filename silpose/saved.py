@@ -24,12 +24,18 @@ def state_of(estimator: BaseEstimator, learnt: Sequence[str]) -> State:
 
 def restored(kind: type[Kind], state: State, learnt: Sequence[str]) -> Kind:
     """Make the estimator whose `state_of` this was."""
-    plain = {name: _plain(value) for name, value in state.items()}
+    values = plain(state)
     names = kind().get_params(deep=False)
-    estimator = kind(**{name: plain.get(name) for name in names})
+    estimator = kind(**{name: values.get(name) for name in names})
     for name in learnt:
-        setattr(estimator, name, plain[name])
+        setattr(estimator, name, values[name])
     return estimator
+
+
+def plain(state: State) -> State:
+    """Give arrays as they are, numbers and words out of theirs."""
+    arrays = {name: np.asarray(value) for name, value in state.items()}
+    return {name: array if array.ndim else array.item() for name, array in arrays.items()}
 
 
 def under(prefix: str, state: State) -> State:
@@ -41,8 +47,3 @@ def part(prefix: str, state: State) -> State:
     """Take the state of a part out."""
     start = f"{prefix}."
     return {n.removeprefix(start): v for n, v in state.items() if n.startswith(start)}
-
-
-def _plain(value: Any) -> Any:
-    array = np.asarray(value)
-    return array if array.ndim else array.item()

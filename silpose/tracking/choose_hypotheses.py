@@ -11,6 +11,8 @@ from silpose.tracking.multiple_hypothesis import MultipleHypothesisTracker
 from silpose.tracking.selection import Examples, Maker, Selection
 from silpose.tracking.settings import HypothesesSettings
 
+_FEW_KEY_POSES = 1000  # while settings are being chosen
+
 
 def choose_hypotheses(
     selection: Selection,
@@ -28,12 +30,17 @@ def choose_hypotheses(
         Fitted to all training sequences, with settings that are chosen already.
     """
 
-    def tracker(**chosen: float) -> MultipleHypothesisTracker:
+    def tracker(keep: float = settings.keep, **chosen: float) -> MultipleHypothesisTracker:
         return MultipleHypothesisTracker(
             clone(mixture),
             clone(dynamics),
+            selection.space.name,
             settings.count,
             fresh=settings.fresh,
+            keep=keep,
+            pose_width=settings.pose_width,
+            descriptor_width=settings.descriptor_width,
+            damping=settings.damping,
             frames_per_second=selection.frames_per_second,
             random_state=settings.random_state,
             **chosen,
@@ -42,9 +49,12 @@ def choose_hypotheses(
     def family(learnt: Examples) -> Maker:
         z, x = (np.concatenate(part) for part in zip(*learnt, strict=True))
         poses = [own for _, own in learnt]
-        fitted = clone(mixture).fit(z, x), clone(dynamics).fit(poses), poses
+        keys = tracker(keep=min(settings.keep, _FEW_KEY_POSES / len(x))).key_poses(learnt)
+        fitted = clone(mixture).fit(z, x), clone(dynamics).fit(poses), keys, poses
         return lambda **chosen: lambda z, _: tracker(**chosen).take(*fitted).track(z, modes=1).x
 
     grid = {"drift": settings.drift, "trust": settings.trust, "past": settings.past}
     best = selection.best("hypotheses", grid, family)
-    return tracker(**best).take(mixture, dynamics, [x for _, x in selection.train])
+    chosen = tracker(**best)
+    keys = chosen.key_poses(selection.train)
+    return chosen.take(mixture, dynamics, keys, [x for _, x in selection.train])

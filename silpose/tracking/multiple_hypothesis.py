@@ -5,13 +5,14 @@ filter (M. Isard, A. Blake, "CONDENSATION", IJCV 1998) that draws where the mixt
 hypothesis is a pose with its past. Dynamics (Eq. 8) predict where it goes; each component of
 p(x|z) (Eq. 11) offers a correction, as probable as its gate and its distance from the prediction
 say. Of all pairs of hypothesis and component, and of the components alone, which begin hypotheses
-afresh, some are drawn: these are the next hypotheses.
+afresh, some are drawn: these are the next hypotheses. The most probable mode of them is a rough
+pose, around which the estimate is regressed on the silhouette.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,13 +20,16 @@ from sklearn.base import BaseEstimator, clone
 from sklearn.utils.validation import check_is_fitted
 
 from silpose.errors import InputError
+from silpose.pose import SPACES
 from silpose.regression import MixtureOfRegressors
 from silpose.regression.saved_mixture import mixture_from, mixture_state
-from silpose.saved import State, part, restored, state_of, under
+from silpose.saved import State, part, plain, restored, state_of, under
 from silpose.tracking.dynamics import LEARNT_DYNAMICS, SecondOrderDynamics
 from silpose.tracking.frame_rate import check_rate
 from silpose.tracking.hypotheses import Components
 from silpose.tracking.hypothesis_filter import MODES, Expectations, HypothesisFilter
+from silpose.tracking.key_poses import KeyPoses
+from silpose.tracking.local_regression import LocalRegression
 
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
@@ -38,7 +42,7 @@ class ManyTracks:
     Attributes
     ----------
     x : ndarray, shape (F, D)
-        The most probable mode.
+        Regressed around the most probable mode.
     state : list of str
         One of `belief.STATES` for each frame.
     weights : ndarray, shape (F, k)
@@ -59,6 +63,8 @@ class MultipleHypothesisTracker(BaseEstimator):
     ----------
     mixture : MixtureOfRegressors, optional
     dynamics : SecondOrderDynamics, optional
+    space : str
+        Name of the pose space.
     count : int
         Draws, and so hypotheses at most.
     drift : float
@@ -73,6 +79,8 @@ class MultipleHypothesisTracker(BaseEstimator):
     surprise : float
         Log of how many times likelier than by any hypothesis what is seen has to be by none of
         them, for the track to count as lost. Then `fresh` is one half.
+    keep, pose_width, descriptor_width, damping : float
+        Of the regression around the most probable mode, as `Tracker` explains them.
     frames_per_second : float
         Of the training sequences, and of what is tracked.
     random_state : int
@@ -81,6 +89,7 @@ class MultipleHypothesisTracker(BaseEstimator):
     ----------
     mixture_, dynamics_
         Fitted.
+    local_ : LocalRegression
     mean_, variance_ : ndarray, shape (D,)
         Of training poses.
     typical_ : ndarray, shape (D,)
@@ -93,23 +102,33 @@ class MultipleHypothesisTracker(BaseEstimator):
         self,
         mixture: MixtureOfRegressors | None = None,
         dynamics: SecondOrderDynamics | None = None,
+        space: str = "angles",
         count: int = 200,
         drift: float = 0.3,
         trust: float = 0.05,
         past: float = 0.7,
         fresh: float = 0.001,
         surprise: float = 1.0,
+        keep: float = 0.18,
+        pose_width: float = 0.5,
+        descriptor_width: float = 1.0,
+        damping: float = 4.0,
         frames_per_second: float = 15.0,
         random_state: int = 0,
     ) -> None:
         self.mixture = mixture
         self.dynamics = dynamics
+        self.space = space
         self.count = count
         self.drift = drift
         self.trust = trust
         self.past = past
         self.fresh = fresh
         self.surprise = surprise
+        self.keep = keep
+        self.pose_width = pose_width
+        self.descriptor_width = descriptor_width
+        self.damping = damping
         self.frames_per_second = frames_per_second
         self.random_state = random_state
 
@@ -125,13 +144,24 @@ class MultipleHypothesisTracker(BaseEstimator):
         takes = [own for _, own in sequences]
         mixture = clone(self.mixture or MixtureOfRegressors()).fit(z, x)
         dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(takes)
-        return self.take(mixture, dynamics, takes)
+        return self.take(mixture, dynamics, self.key_poses(sequences), takes)
+
+    def key_poses(self, sequences: Examples) -> KeyPoses:
+        """Cluster the poses of training sequences ``(z, x)``."""
+        if not 0 < self.keep <= 1:
+            raise InputError(f"keep is a share of the training frames up to 1, not {self.keep}")
+        count = max(1, int(self.keep * sum(len(x) for _, x in sequences)))
+        return KeyPoses.of(sequences, SPACES[self.space], count, self.random_state)
 
     def take(
-        self, mixture: MixtureOfRegressors, dynamics: SecondOrderDynamics, poses: Sequence[Array]
+        self,
+        mixture: MixtureOfRegressors,
+        dynamics: SecondOrderDynamics,
+        keys: KeyPoses,
+        poses: Sequence[Array],
     ) -> MultipleHypothesisTracker:
         """Use what was fitted already, to takes of these poses, each (F, D)."""
-        for name in ("count", "drift", "trust"):
+        for name in ("count", "drift", "trust", "pose_width", "descriptor_width", "damping"):
             if not getattr(self, name) > 0:
                 raise InputError(f"{name} must be positive, not {getattr(self, name)}")
         if not 0 <= self.past < 1:
@@ -139,6 +169,8 @@ class MultipleHypothesisTracker(BaseEstimator):
         if not 0 < self.fresh < 1:
             raise InputError(f"fresh is a probability between 0 and 1, not {self.fresh}")
         self.mixture_, self.dynamics_ = mixture, dynamics
+        widths = self.pose_width, self.descriptor_width, self.damping
+        self.local_ = LocalRegression.on(keys, *widths)
         every = np.concatenate(poses)
         self.mean_, self.variance_ = every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9)
         off = [x[2:] - dynamics.predict(x[1:-1], x[:-2]) for x in poses if len(x) > 2]
@@ -187,7 +219,7 @@ class MultipleHypothesisTracker(BaseEstimator):
             if frame < len(given) and given.size:
                 self._run.know(given[: frame + 1])
             else:
-                self.step(row)
+                self._advance(row)
             now.append(self._run.estimate())
             later.append(self._run.estimate(lag) if lag else now[-1])
             states.append(self._run.state)
@@ -195,7 +227,10 @@ class MultipleHypothesisTracker(BaseEstimator):
         later += [self._run.estimate(back) for back in reversed(range(lag))]
         revised = np.array(later[lag:])
         weights, means = map(np.array, zip(*several, strict=True))
-        return ManyTracks(np.where(np.isnan(revised), now, revised), states, weights, means)
+        x = np.where(np.isnan(revised), now, revised)
+        for frame in range(len(given) if given.size else 0, len(z)):
+            x[frame] = self._regressed(x[frame], z[frame])
+        return ManyTracks(x, states, weights, means)
 
     def start(self, initial: ArrayLike | None = None, lag: int = 0) -> MultipleHypothesisTracker:
         """Forget what `step` has seen.
@@ -221,8 +256,14 @@ class MultipleHypothesisTracker(BaseEstimator):
         """Track one frame more: its pose (D,) and state, from its descriptor (d,)."""
         check_is_fitted(self)
         z = np.asarray(z, dtype=float)
+        self._advance(z)
+        return self._regressed(self._run.estimate(), z), self._run.state
+
+    def _advance(self, z: Array) -> None:
         self._run.step(Components(*self.mixture_.answers(z)) if np.isfinite(z).all() else None)
-        return self._run.estimate(), self._run.state
+
+    def _regressed(self, rough: Array, z: Array) -> Array:
+        return self.local_.estimate(rough, z) if np.isfinite(z).all() else rough
 
     def modes(self, k: int) -> tuple[Array, Array]:
         """Give up to 8 modes of the hypotheses after a step: weights (k,) and poses (k, D).
@@ -237,7 +278,8 @@ class MultipleHypothesisTracker(BaseEstimator):
         check_is_fitted(self)
         own = state_of(self, _LEARNT)
         dynamics = state_of(self.dynamics_, LEARNT_DYNAMICS)
-        return own | under("mixture", mixture_state(self.mixture_)) | under("dynamics", dynamics)
+        own |= under("mixture", mixture_state(self.mixture_)) | under("dynamics", dynamics)
+        return own | under("local", asdict(self.local_))
 
     @classmethod
     def from_state(cls, state: State) -> MultipleHypothesisTracker:
@@ -246,6 +288,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         tracker.mixture_ = mixture_from(part("mixture", state))
         dynamics = part("dynamics", state)
         tracker.dynamics_ = restored(SecondOrderDynamics, dynamics, LEARNT_DYNAMICS)
+        tracker.local_ = LocalRegression(**plain(part("local", state)))
         return tracker.start()
 
 

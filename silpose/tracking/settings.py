@@ -73,10 +73,15 @@ class HypothesesSettings:
     trust: Values = field(default_factory=lambda: [0.03, 0.05, 0.1])
     past: Values = field(default_factory=lambda: [0.5, 0.7, 0.85])
     fresh: float = 0.001
+    keep: float = 0.18
+    pose_width: float = 0.5
+    descriptor_width: float = 1.0
+    damping: float = 4.0
     random_state: int = 0
 
     def __post_init__(self) -> None:
         _check(self, "hypotheses", "count", "drift", "trust", "past", "fresh")
+        _check(self, "hypotheses", "keep", "pose_width", "descriptor_width", "damping")
 
 
 @dataclass(frozen=True)

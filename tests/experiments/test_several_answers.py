@@ -41,7 +41,7 @@ def test_the_best_of_more_modes_is_better(study):
     assert error["mixture_best4"] < error["mean_pose"]
     for method in ("ridge", "mixture_top1", "gmr_top1"):
         assert np.isfinite(metrics[method]["log_likelihood"])
-    assert len([row for row in rows if row["validation_log_likelihood"]]) == 2
+    assert len([row for row in rows if row["validation_log_likelihood"]]) == 2 + 5
 
 
 def test_ambiguous_silhouettes_are_counted(study):
