@@ -58,6 +58,7 @@ def test_on_the_authors_data_the_mixture_reaches_what_is_claimed(study, shared_m
         "regression.mixture.clusters=60",
         "regression.mixture.temperature=16",
         "regression.mixture.noise_width=4",
+        "regression.mixture.shared_width=16",
         "regression.mixture.sharpness=0.7",
         "gmr=[1]",
     )

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.tracking.local_regression import regress_locally
+from silpose.tracking.local_regression import LocalRegression, regress_locally
 
 
 @pytest.fixture
@@ -39,3 +39,17 @@ def test_belief_decides_between_poses_that_look_alike(line):
         weights = np.outer(believed, near(z, where)).ravel()
         found = regress_locally(weights, both_poses, both_z, where, 1e-9)
         assert found == pytest.approx(sign * (1 + where @ slope), abs=1e-5)
+
+
+def test_a_rough_pose_decides_between_poses_that_look_alike():
+    rng = np.random.default_rng(0)
+    z = rng.random((200, 4))
+    pose = 5 + z @ rng.normal(size=(4, 3))
+    local = LocalRegression(
+        np.zeros(3), np.ones(3), np.eye(4), np.vstack([pose, -pose]),
+        np.sqrt(np.vstack([z, z])), 0.1, pose_width=0.5, descriptor_width=1.0, damping=1e-6,
+    )  # fmt: skip
+    for sign in (1, -1):
+        rough = sign * (pose[7] + rng.normal(size=3))
+        found = local.estimate(rough, z[7])
+        assert np.abs(found - sign * pose[7]).max() < 0.2 * np.abs(rough - sign * pose[7]).max()
