@@ -10,7 +10,7 @@ from timing import report
 from silpose.config import furnish, load
 from silpose.experiments.descriptors import examples, learn_descriptor
 from silpose.model import PoseModel
-from silpose.regression import MixtureOfRegressors, RidgeRegressor
+from silpose.regression import Basis, MixtureOfRegressors, RidgeRegressor
 from silpose.tracking import MultipleHypothesisTracker, Tracker
 
 if __name__ == "__main__":
@@ -19,7 +19,8 @@ if __name__ == "__main__":
     descriptor = learn_descriptor(rooms.descriptor, data.train)
     train = examples(descriptor, data.train)
     frames = sum(len(x) for _, x in train)
-    mixture = MixtureOfRegressors(120, hellinger=True, units=data.space.units)
+    ridge = RidgeRegressor(Basis(hellinger=True, width=4.0))
+    mixture = MixtureOfRegressors(120, hellinger=True, units=data.space.units, shared=ridge)
     trackers = {
         "belief": Tracker(pose_width=0.7, descriptor_width=0.8, damping=4.0),
         "hypotheses": MultipleHypothesisTracker(mixture),
