@@ -73,8 +73,7 @@ plt.show()
 # **4. The belief** over key poses, ordered by where they face: it wanders as the walker turns.
 
 # %%
-cos_sin = tracker.poses_[:, :2] * tracker.scale_[:2] + tracker.mean_[:2]
-facing = data.space.heading(cos_sin)
+facing = data.space.heading(tracker.examples_.headings)
 order = np.argsort(facing)
 plt.figure(figsize=(12, 4))
 plt.imshow(np.sqrt(track.beliefs[:, order].T), aspect="auto", cmap="magma")

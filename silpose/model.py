@@ -28,7 +28,7 @@ Masks = NDArray[Any] | Sequence[ArrayLike]
 
 AnyTracker = Tracker | MultipleHypothesisTracker
 
-FORMAT = 2
+FORMAT = 3
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,7 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
     described = prepare(rooms, run)
     space = described.data.space
     with run.stage("regression"):
-        ridge = described.learn(rooms.candidates, ["ridge"]).regressors["ridge"]
+        ridge = described.learn_ridge(rooms.candidates)
         model, rows = described.learn_mixture(rooms.candidates.mixture, ridge)
     z, x = (np.concatenate(part) for part in zip(*described.test, strict=True))
     z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))

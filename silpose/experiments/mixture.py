@@ -51,8 +51,7 @@ def mixture(rooms: Rooms, run: Run, gmr: Sequence[int]) -> None:
     described = prepare(rooms, run)
     space = described.data.space
     with run.stage("regression"):
-        ridge = described.learn(rooms.candidates, ["ridge"]).regressors["ridge"]
-        assert isinstance(ridge, RidgeRegressor)
+        ridge = described.learn_ridge(rooms.candidates)
         model, rows = described.learn_mixture(rooms.candidates.mixture, ridge)
     z, x = (np.concatenate(part) for part in zip(*described.test, strict=True))
     z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))

@@ -49,9 +49,7 @@ class Learnt:
     @cached_property
     def ridge(self) -> RidgeRegressor:
         """The single-image regressor."""
-        ridge = self.described.learn(self.candidates, ["ridge"]).regressors["ridge"]
-        assert isinstance(ridge, RidgeRegressor)
-        return ridge
+        return self.described.learn_ridge(self.candidates)
 
     @cached_property
     def tracker(self) -> Tracker:

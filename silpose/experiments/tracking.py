@@ -97,7 +97,7 @@ def _write(
         Truth.of(take, rooms.camera, errors, space),
         {method: tracks[method] for method in ("ridge", "dynamics", "joint", "tracker")},
         track,
-        space.heading(tracker.poses_ * tracker.scale_ + tracker.mean_),
+        space.heading(tracker.examples_.headings),
         space,
     )
 

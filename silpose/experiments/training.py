@@ -20,6 +20,7 @@ from silpose.regression import (
     MixtureOfRegressors,
     MixtureSettings,
     Regressor,
+    RidgeRegressor,
     choose_mixture,
 )
 from silpose.run import Run
@@ -58,6 +59,12 @@ class Described:
         space = self.data.space
         units = space.units if part is None else space.units[space.parts[part]]
         return candidates.choose(methods, train, validation, self.error(part), units, self.groups)
+
+    def learn_ridge(self, candidates: Candidates) -> RidgeRegressor:
+        """Fit kernel ridge regression with the settings best on validation."""
+        ridge = self.learn(candidates, ["ridge"]).regressors["ridge"]
+        assert isinstance(ridge, RidgeRegressor)
+        return ridge
 
     def learn_mixture(
         self, settings: MixtureSettings, shared: Regressor

@@ -11,6 +11,7 @@ from scipy.special import logsumexp
 
 from silpose.regression.experts import Experts
 from silpose.regression.modes import distinct_modes
+from silpose.regression.shared import SharedRegressor
 
 Array = NDArray[np.float64]
 
@@ -51,17 +52,17 @@ class ConditionalDensity:
     experts : Experts
     anywhere : ndarray, shape (2, d)
         Mean and variance of all training inputs.
-    heed : ndarray, shape (K, D), or None
-        How far each component's answer moves towards the shared regressor's, 0 to 1.
-    temperature, noise_width, doubt, floor : float
+    shared : SharedRegressor or None
+    temperature, noise_width, shared_width, doubt, floor : float
         As `MixtureOfRegressors` explains them.
     """
 
     experts: Experts
     anywhere: Array
-    heed: Array | None
+    shared: SharedRegressor | None
     temperature: float
     noise_width: float
+    shared_width: float
     doubt: float
     floor: float
 
@@ -78,8 +79,9 @@ class ConditionalDensity:
     def means(self, seen: Seen, which: NDArray[np.intp] | None = None) -> Array:
         """x̄_k(ψ) of all components, or of some, and of none, shape (n, K + 1, D)."""
         means = self.experts.means(seen.psi, which)
-        if self.heed is not None and seen.shared is not None:
-            heed = self.heed if which is None else self.heed[which]
+        if self.shared is not None and seen.shared is not None:
+            noises = self.experts.noises if which is None else self.experts.noises[which]
+            heed = self.shared.heed(noises, self.shared_width)
             means += heed * (seen.shared[:, None] - means)
         anything = np.zeros((len(means), 1, means.shape[2]))
         return np.concatenate([means, anything], axis=1)

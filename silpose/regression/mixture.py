@@ -274,11 +274,9 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
     @property
     def _density(self) -> ConditionalDensity:
         check_is_fitted(self)
-        shared = self.shared_
-        heed = None if shared is None else shared.heed(self.experts_.noises, self.shared_width)
         return ConditionalDensity(
-            self.experts_, self.anywhere_, heed, self.temperature, self.noise_width, self.doubt,
-            self.floor,
+            self.experts_, self.anywhere_, self.shared_, self.temperature, self.noise_width,
+            self.shared_width, self.doubt, self.floor,
         )  # fmt: skip
 
     def _seen(self, z: ArrayLike) -> Seen:

@@ -13,7 +13,14 @@ from silpose.regression import RidgeRegressor
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.point import PointTracker
 from silpose.tracking.rivals import fuse, smooth, viterbi, windowed
-from silpose.tracking.selection import Estimate, Examples, Family, Maker, Selection
+from silpose.tracking.selection import (
+    FEW_KEY_POSES,
+    Estimate,
+    Examples,
+    Family,
+    Maker,
+    Selection,
+)
 from silpose.tracking.settings import (
     DynamicsSettings,
     JointSettings,
@@ -27,7 +34,6 @@ Array = NDArray[np.float64]
 
 _FEW_KERNELS = 700  # of the paper's tracker while its widths are being chosen,
 _FEW_EXAMPLES = 10_000  # from which they learn
-_FEW_KEY_POSES = 1000  # of ours
 
 
 def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
@@ -45,7 +51,7 @@ def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
 
     def family(learnt: Examples) -> Maker:
         frames = sum(len(x) for _, x in learnt)
-        keys = tracker(min(settings.keep, _FEW_KEY_POSES / frames)).key_poses(learnt)
+        keys = tracker(min(settings.keep, FEW_KEY_POSES / frames)).key_poses(learnt)
         fitted = cache(lambda pose_width: tracker(pose_width=pose_width).take(keys))
         return lambda pose_width, **rest: (
             lambda z, _: fitted(pose_width).set_params(**rest).track(z).x

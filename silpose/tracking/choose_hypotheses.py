@@ -8,10 +8,8 @@ from sklearn.base import clone
 from silpose.regression import MixtureOfRegressors
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.multiple_hypothesis import MultipleHypothesisTracker
-from silpose.tracking.selection import Examples, Maker, Selection
+from silpose.tracking.selection import FEW_KEY_POSES, Examples, Maker, Selection
 from silpose.tracking.settings import HypothesesSettings
-
-_FEW_KEY_POSES = 1000  # while settings are being chosen
 
 
 def choose_hypotheses(
@@ -49,7 +47,7 @@ def choose_hypotheses(
     def family(learnt: Examples) -> Maker:
         z, x = (np.concatenate(part) for part in zip(*learnt, strict=True))
         poses = [own for _, own in learnt]
-        keys = tracker(keep=min(settings.keep, _FEW_KEY_POSES / len(x))).key_poses(learnt)
+        keys = tracker(keep=min(settings.keep, FEW_KEY_POSES / len(x))).key_poses(learnt)
         fitted = clone(mixture).fit(z, x), clone(dynamics).fit(poses), keys, poses
         return lambda **chosen: lambda z, _: tracker(**chosen).take(*fitted).track(z, modes=1).x
 

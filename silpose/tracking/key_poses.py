@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from sklearn.cluster import KMeans
 
+from silpose.errors import InputError
 from silpose.pose import PoseSpace
 from silpose.regression.reduction import whitening
 
@@ -22,8 +23,8 @@ Examples = Sequence[tuple[Array, Array]]
 
 
 @dataclass(frozen=True)
-class KeyPoses:
-    """Key poses of some training sequences, before kernel widths are chosen.
+class KeyExamples:
+    """Key poses and what they look like: with these, poses and descriptors are compared.
 
     Attributes
     ----------
@@ -40,10 +41,6 @@ class KeyPoses:
         Whitened.
     spread : float
         Mean squared distance of a frame's whitened descriptor to its key pose's.
-    following : ndarray, shape (n, D)
-        The pose after each training frame, standardised.
-    members : csr_array, shape (K, n)
-        Rows average over the frames of each key pose.
     """
 
     mean: Array
@@ -52,19 +49,56 @@ class KeyPoses:
     poses: Array
     descriptors: Array
     spread: float
+
+    @property
+    def headings(self) -> Array:
+        """Cos and sin of each key pose's heading, shape (K, 2)."""
+        return self.poses[:, :2] * self.scale[:2] + self.mean[:2]
+
+    def whitened(self, z: Array) -> Array:
+        """Descriptors (n, d) as `descriptors` are."""
+        return np.sqrt(np.maximum(z, 0)) @ self.whitening
+
+    def pose_distances(self, x: Array) -> Array:
+        """Mean squared difference of poses (n, D) to key poses, shape (n, K)."""
+        return squared_distances((x - self.mean) / self.scale, self.poses) / len(self.mean)
+
+    def descriptor_distances(self, seen: Array) -> Array:
+        """Squared distance of whitened descriptors (n, d) to key poses', in `spread`, (n, K)."""
+        distances = squared_distances(seen, self.descriptors)
+        distances /= self.spread
+        return distances
+
+
+@dataclass(frozen=True)
+class KeyPoses:
+    """Key poses of some training sequences, before kernel widths are chosen.
+
+    Attributes
+    ----------
+    examples : KeyExamples
+    following : ndarray, shape (n, D)
+        The pose after each training frame, standardised.
+    members : csr_array, shape (K, n)
+        Rows average over the frames of each key pose.
+    """
+
+    examples: KeyExamples
     following: Array
     members: csr_array
 
     @classmethod
-    def of(cls, sequences: Examples, space: PoseSpace, count: int, seed: int | None) -> KeyPoses:
-        """Cluster the poses of training sequences ``(z, x)`` into at most `count`."""
+    def of(cls, sequences: Examples, space: PoseSpace, keep: float, seed: int | None) -> KeyPoses:
+        """Cluster the poses of training sequences ``(z, x)``, into a share `keep` of the frames."""
+        if not 0 < keep <= 1:
+            raise InputError(f"keep is a share of the training frames up to 1, not {keep}")
         x = np.concatenate([x for _, x in sequences])
         deviation = np.maximum(x.std(axis=0), 1e-3 * space.units)
         mean, scale = x.mean(axis=0), np.sqrt(deviation * space.units)
         takes = [(x - mean) / scale for _, x in sequences]
         following = np.concatenate([_following(take) for take in takes])
         poses = np.concatenate(takes)
-        count = min(count, len(np.unique(poses, axis=0)))
+        count = min(max(1, int(keep * len(poses))), len(np.unique(poses, axis=0)))
         labels = KMeans(count, n_init=1, random_state=seed).fit(poses).labels_
         kept, labels = np.unique(labels, return_inverse=True)
         size = np.bincount(labels)
@@ -76,7 +110,8 @@ class KeyPoses:
         centres, descriptors = members @ poses, members @ seen
         within = seen - descriptors[labels]
         spread = max(float((within**2).sum(axis=1).mean()), 1e-12)
-        return cls(mean, scale, directions, centres, descriptors, spread, following, members)
+        examples = KeyExamples(mean, scale, directions, centres, descriptors, spread)
+        return cls(examples, following, members)
 
     def transitions(self, width: float, restart: float) -> Array:
         """Probability (K, K) that one key pose follows another, a frame later.
@@ -84,11 +119,12 @@ class KeyPoses:
         The pose kernel of Eq. 10 between where a key pose's frames went and every key pose, of
         standard deviation `width` per column; with probability `restart` it is any.
         """
-        distances = squared_distances(self.following, self.poses) / self.poses.shape[1]
+        poses = self.examples.poses
+        distances = squared_distances(self.following, poses) / poses.shape[1]
         distances -= distances.min(axis=1, keepdims=True)
         near = np.exp(-distances / (2 * width**2))
         near /= near.sum(axis=1, keepdims=True)
-        return (1 - restart) * (self.members @ near) + restart / len(self.poses)
+        return (1 - restart) * (self.members @ near) + restart / len(poses)
 
     @property
     def sizes(self) -> Array:

@@ -5,12 +5,10 @@ W. S. Cleveland, S. J. Devlin, "Locally weighted regression", J. Am. Stat. Assoc
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.tracking.key_poses import KeyPoses, squared_distances
+from silpose.tracking.key_poses import KeyExamples
 
 Array = NDArray[np.float64]
 
@@ -50,53 +48,37 @@ def regress_locally(
     return pose + change
 
 
-@dataclass(frozen=True)
-class LocalRegression:
-    """Regression on the examples around a pose that is known roughly.
+def regress_around(
+    rough: Array,
+    z: Array,
+    examples: KeyExamples,
+    pose_width: float,
+    descriptor_width: float,
+    damping: float,
+) -> Array:
+    """Estimate a pose that is known roughly from what is seen.
 
-    The kernels K_x(x̌, x_k) K_z(z, z_k) of Eq. 10, normalised, weigh key poses; on these the pose
-    is regressed, linearly in the descriptor. So the rough pose settles which of the poses that
-    look alike is meant, and the silhouette where between key poses it lies.
+    The kernels K_x(x̌, x_k) K_z(z, z_k) of Eq. 10, normalised, weigh the examples. So the rough
+    pose x̌ settles which of the poses that look alike is meant, and the silhouette where between
+    key poses it lies.
 
-    Attributes
+    Parameters
     ----------
-    mean, scale : ndarray, shape (D,)
-    whitening : ndarray, shape (d, d)
-    poses, descriptors : ndarray, shapes (K, D) and (K, d)
-    spread : float
-        As `KeyPoses` explains them.
+    rough : ndarray, shape (D,)
+    z : ndarray, shape (d,)
+        Not blank.
+    examples : KeyExamples
     pose_width, descriptor_width, damping : float
         As `Tracker` explains them.
+
+    Returns
+    -------
+    pose : ndarray, shape (D,)
     """
-
-    mean: Array
-    scale: Array
-    whitening: Array
-    poses: Array
-    descriptors: Array
-    spread: float
-    pose_width: float
-    descriptor_width: float
-    damping: float
-
-    @classmethod
-    def on(
-        cls, keys: KeyPoses, pose_width: float, descriptor_width: float, damping: float
-    ) -> LocalRegression:
-        """Take key poses for examples."""
-        return cls(
-            keys.mean, keys.scale, keys.whitening, keys.poses, keys.descriptors, keys.spread,
-            pose_width, descriptor_width, damping,
-        )  # fmt: skip
-
-    def estimate(self, rough: Array, z: Array) -> Array:
-        """Estimate the pose (D,) of a descriptor (d,) that is not blank, near a rough one (D,)."""
-        seen = np.sqrt(np.maximum(z, 0))[None] @ self.whitening
-        near = squared_distances(((rough - self.mean) / self.scale)[None], self.poses)[0]
-        alike = squared_distances(seen, self.descriptors)[0]
-        exponent = near / (2 * self.pose_width**2 * len(self.mean))
-        exponent += alike / (2 * self.descriptor_width**2 * self.spread)
-        weights = np.exp(exponent.min() - exponent)
-        weights /= weights.sum()
-        pose = regress_locally(weights, self.poses, self.descriptors, seen[0], self.damping)
-        return pose * self.scale + self.mean
+    seen = examples.whitened(z[None])
+    exponent = examples.pose_distances(rough[None])[0] / (2 * pose_width**2)
+    exponent += examples.descriptor_distances(seen)[0] / (2 * descriptor_width**2)
+    weights = np.exp(exponent.min() - exponent)
+    weights /= weights.sum()
+    pose = regress_locally(weights, examples.poses, examples.descriptors, seen[0], damping)
+    return pose * examples.scale + examples.mean

@@ -28,8 +28,8 @@ from silpose.tracking.dynamics import LEARNT_DYNAMICS, SecondOrderDynamics
 from silpose.tracking.frame_rate import check_rate
 from silpose.tracking.hypotheses import Components
 from silpose.tracking.hypothesis_filter import MODES, Expectations, HypothesisFilter
-from silpose.tracking.key_poses import KeyPoses
-from silpose.tracking.local_regression import LocalRegression
+from silpose.tracking.key_poses import KeyExamples, KeyPoses
+from silpose.tracking.local_regression import regress_around
 
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
@@ -89,7 +89,8 @@ class MultipleHypothesisTracker(BaseEstimator):
     ----------
     mixture_, dynamics_
         Fitted.
-    local_ : LocalRegression
+    examples_ : KeyExamples
+        Key poses and their descriptors.
     mean_, variance_ : ndarray, shape (D,)
         Of training poses.
     typical_ : ndarray, shape (D,)
@@ -148,10 +149,7 @@ class MultipleHypothesisTracker(BaseEstimator):
 
     def key_poses(self, sequences: Examples) -> KeyPoses:
         """Cluster the poses of training sequences ``(z, x)``."""
-        if not 0 < self.keep <= 1:
-            raise InputError(f"keep is a share of the training frames up to 1, not {self.keep}")
-        count = max(1, int(self.keep * sum(len(x) for _, x in sequences)))
-        return KeyPoses.of(sequences, SPACES[self.space], count, self.random_state)
+        return KeyPoses.of(sequences, SPACES[self.space], self.keep, self.random_state)
 
     def take(
         self,
@@ -168,9 +166,7 @@ class MultipleHypothesisTracker(BaseEstimator):
             raise InputError(f"past is a share below 1, not {self.past}")
         if not 0 < self.fresh < 1:
             raise InputError(f"fresh is a probability between 0 and 1, not {self.fresh}")
-        self.mixture_, self.dynamics_ = mixture, dynamics
-        widths = self.pose_width, self.descriptor_width, self.damping
-        self.local_ = LocalRegression.on(keys, *widths)
+        self.mixture_, self.dynamics_, self.examples_ = mixture, dynamics, keys.examples
         every = np.concatenate(poses)
         self.mean_, self.variance_ = every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9)
         off = [x[2:] - dynamics.predict(x[1:-1], x[:-2]) for x in poses if len(x) > 2]
@@ -212,11 +208,11 @@ class MultipleHypothesisTracker(BaseEstimator):
         if not 1 <= modes <= MODES:
             raise InputError(f"1 to {MODES} modes can be asked for, not {modes}")
         lag = min(lag, len(z) - 1)
-        given = np.atleast_2d(np.asarray([] if initial is None else initial, dtype=float))
+        given = np.atleast_2d(np.asarray(initial, dtype=float)) if initial is not None else z[:0]
         now, later, states, several = [], [], [], []
         self.start(lag=lag)
         for frame, row in enumerate(z):
-            if frame < len(given) and given.size:
+            if frame < len(given):
                 self._run.know(given[: frame + 1])
             else:
                 self._advance(row)
@@ -228,7 +224,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         revised = np.array(later[lag:])
         weights, means = map(np.array, zip(*several, strict=True))
         x = np.where(np.isnan(revised), now, revised)
-        for frame in range(len(given) if given.size else 0, len(z)):
+        for frame in range(len(given), len(z)):
             x[frame] = self._regressed(x[frame], z[frame])
         return ManyTracks(x, states, weights, means)
 
@@ -263,7 +259,10 @@ class MultipleHypothesisTracker(BaseEstimator):
         self._run.step(Components(*self.mixture_.answers(z)) if np.isfinite(z).all() else None)
 
     def _regressed(self, rough: Array, z: Array) -> Array:
-        return self.local_.estimate(rough, z) if np.isfinite(z).all() else rough
+        if not np.isfinite(z).all():
+            return rough
+        widths = self.pose_width, self.descriptor_width, self.damping
+        return regress_around(rough, z, self.examples_, *widths)
 
     def modes(self, k: int) -> tuple[Array, Array]:
         """Give up to 8 modes of the hypotheses after a step: weights (k,) and poses (k, D).
@@ -279,7 +278,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         own = state_of(self, _LEARNT)
         dynamics = state_of(self.dynamics_, LEARNT_DYNAMICS)
         own |= under("mixture", mixture_state(self.mixture_)) | under("dynamics", dynamics)
-        return own | under("local", asdict(self.local_))
+        return own | under("examples", asdict(self.examples_))
 
     @classmethod
     def from_state(cls, state: State) -> MultipleHypothesisTracker:
@@ -288,7 +287,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         tracker.mixture_ = mixture_from(part("mixture", state))
         dynamics = part("dynamics", state)
         tracker.dynamics_ = restored(SecondOrderDynamics, dynamics, LEARNT_DYNAMICS)
-        tracker.local_ = LocalRegression(**plain(part("local", state)))
+        tracker.examples_ = KeyExamples(**plain(part("examples", state)))
         return tracker.start()
 
 

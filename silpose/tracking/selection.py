@@ -23,6 +23,8 @@ Maker = Callable[..., Estimate]
 Family = Callable[[Examples], Maker]
 """Learns from sequences what all settings share; then makes an estimate of each setting."""
 
+FEW_KEY_POSES = 1000  # while settings of those that track by them are being chosen
+
 _JUDGES = 600  # frames of each fold, or little more, that judge
 
 

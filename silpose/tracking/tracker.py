@@ -12,7 +12,7 @@ poses that look alike is meant, and the silhouette where between key poses it li
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,11 +20,11 @@ from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
 from silpose.errors import InputError
-from silpose.pose import SPACES, PoseSpace
-from silpose.saved import State, restored, state_of
+from silpose.pose import SPACES
+from silpose.saved import State, part, plain, restored, state_of, under
 from silpose.tracking.belief import Filter, reversed_time, revise
 from silpose.tracking.frame_rate import check_rate
-from silpose.tracking.key_poses import Examples, KeyPoses, squared_distances
+from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoses
 from silpose.tracking.local_regression import regress_locally
 
 Array = NDArray[np.float64]
@@ -76,8 +76,8 @@ class Tracker(BaseEstimator):
 
     Attributes
     ----------
-    poses_ : ndarray, shape (K, D)
-        Key poses, standardised.
+    examples_ : KeyExamples
+        Key poses and their descriptors.
     transitions_ : ndarray, shape (K, K)
         Probability that one follows another.
     kept_ : float
@@ -126,29 +126,21 @@ class Tracker(BaseEstimator):
 
     def key_poses(self, sequences: Examples) -> KeyPoses:
         """Cluster the poses of training sequences ``(z, x)``."""
-        count = max(1, int(self.keep * sum(len(x) for _, x in sequences)))
-        return KeyPoses.of(sequences, self._space, count, self.random_state)
+        return KeyPoses.of(sequences, SPACES[self.space], self.keep, self.random_state)
 
     def take(self, keys: KeyPoses) -> Tracker:
         """Fit the kernels' widths to key poses at hand, so that these serve many widths."""
         for name in ("pose_width", "descriptor_width", "damping"):
             if not getattr(self, name) > 0:
                 raise InputError(f"{name} must be positive, not {getattr(self, name)}")
-        if not 0 < self.keep <= 1:
-            raise InputError(f"keep is a share of the training frames up to 1, not {self.keep}")
         if not 0 <= self.restart < 1:
             raise InputError(f"restart is a probability below 1, not {self.restart}")
-        self.mean_, self.scale_, self.whitening_ = keys.mean, keys.scale, keys.whitening
-        self.poses_, self.descriptors_ = keys.poses, keys.descriptors
+        self.examples_ = keys.examples
         self.transitions_ = keys.transitions(self.pose_width, self.restart)
-        self.sizes_, self.spread_ = keys.sizes, keys.spread
-        self.kept_ = len(keys.poses) / len(keys.following)
+        self.sizes_ = keys.sizes
+        self.kept_ = len(keys.sizes) / len(keys.following)
         self.tolerance_ = np.inf
         return self.start()
-
-    @property
-    def _space(self) -> PoseSpace:
-        return SPACES[self.space]
 
     def track(
         self,
@@ -218,56 +210,53 @@ class Tracker(BaseEstimator):
         return self._estimate(belief[None], seen)[0], state
 
     def _filter(self, transitions: Array) -> Filter:
-        headings = self.poses_[:, :2] * self.scale_[:2] + self.mean_[:2]
-        prior = self.sizes_ / self.sizes_.sum()
+        prior, headings = self.sizes_ / self.sizes_.sum(), self.examples_.headings
         return Filter(transitions, prior, headings, self.tolerance_, self.restart > 0)
 
     def _whitened(self, z: ArrayLike) -> Array:
         z = np.asarray(z, dtype=float)
-        if z.ndim != 2 or z.shape[1] != len(self.whitening_):
-            raise InputError(
-                f"descriptors have shape {z.shape}: expected (frames, {len(self.whitening_)})"
-            )
+        columns = len(self.examples_.whitening)
+        if z.ndim != 2 or z.shape[1] != columns:
+            raise InputError(f"descriptors have shape {z.shape}: expected (frames, {columns})")
         if len(z) == 0:
             raise InputError("there is no frame to track")
         blank = ~np.isfinite(z).all(axis=1)
-        seen = np.sqrt(np.maximum(np.where(blank[:, None], 0, z), 0)) @ self.whitening_
+        seen = self.examples_.whitened(np.where(blank[:, None], 0, z))
         seen[blank] = np.nan
         return seen
 
     def _likelihoods(self, seen: Array) -> Array:
         """K_z(z, z_k), shape (F, K), scaled so that the largest of a frame is 1."""
-        distances = squared_distances(np.nan_to_num(seen), self.descriptors_)
+        distances = self.examples_.descriptor_distances(np.nan_to_num(seen))
         distances -= distances.min(axis=1, keepdims=True)
-        exponent = distances / (2 * self.descriptor_width**2 * self.spread_)
+        exponent = distances / (2 * self.descriptor_width**2)
         exponent[np.isnan(seen).any(axis=1)] = 0  # nothing was seen: any is as likely
         return np.exp(-exponent)
 
     def _pose_likelihoods(self, poses: ArrayLike) -> Array:
         """K_x(x, x_k) of poses that are known, shape (P, K)."""
-        standard = (np.atleast_2d(np.asarray(poses, dtype=float)) - self.mean_) / self.scale_
-        distances = squared_distances(standard, self.poses_) / len(self.mean_)
+        poses = np.atleast_2d(np.asarray(poses, dtype=float))
+        distances = self.examples_.pose_distances(poses)
         distances -= distances.min(axis=1, keepdims=True)
         return np.exp(-distances / (2 * self.pose_width**2))
 
     def _estimate(self, beliefs: Array, seen: Array) -> Array:
-        examples = self.poses_, self.descriptors_
+        own = self.examples_
         rows = zip(beliefs, seen, strict=True)
-        poses = [regress_locally(belief, *examples, z, self.damping) for belief, z in rows]
-        return np.array(poses) * self.scale_ + self.mean_
+        poses = [regress_locally(b, own.poses, own.descriptors, z, self.damping) for b, z in rows]
+        return np.array(poses) * own.scale + own.mean
 
     def state(self) -> State:
         """Give parameters and what was learnt, as arrays and numbers."""
         check_is_fitted(self)
-        return state_of(self, _LEARNT)
+        return state_of(self, _LEARNT) | under("examples", asdict(self.examples_))
 
     @classmethod
     def from_state(cls, state: State) -> Tracker:
         """Restore what `state` gave."""
-        return restored(cls, state, _LEARNT).start()
+        tracker = restored(cls, state, _LEARNT)
+        tracker.examples_ = KeyExamples(**plain(part("examples", state)))
+        return tracker.start()
 
 
-_LEARNT = (
-    "mean_", "scale_", "whitening_", "poses_", "descriptors_", "transitions_",
-    "sizes_", "spread_", "kept_", "tolerance_",
-)  # fmt: skip
+_LEARNT = ("transitions_", "sizes_", "kept_", "tolerance_")

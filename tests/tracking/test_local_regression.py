@@ -1,7 +1,8 @@
 import numpy as np
 import pytest
 
-from silpose.tracking.local_regression import LocalRegression, regress_locally
+from silpose.tracking.key_poses import KeyExamples
+from silpose.tracking.local_regression import regress_around, regress_locally
 
 
 @pytest.fixture
@@ -45,11 +46,9 @@ def test_a_rough_pose_decides_between_poses_that_look_alike():
     rng = np.random.default_rng(0)
     z = rng.random((200, 4))
     pose = 5 + z @ rng.normal(size=(4, 3))
-    local = LocalRegression(
-        np.zeros(3), np.ones(3), np.eye(4), np.vstack([pose, -pose]),
-        np.sqrt(np.vstack([z, z])), 0.1, pose_width=0.5, descriptor_width=1.0, damping=1e-6,
-    )  # fmt: skip
+    both = np.vstack([pose, -pose]), np.sqrt(np.vstack([z, z]))
+    examples = KeyExamples(np.zeros(3), np.ones(3), np.eye(4), *both, spread=0.1)
     for sign in (1, -1):
         rough = sign * (pose[7] + rng.normal(size=3))
-        found = local.estimate(rough, z[7])
+        found = regress_around(rough, z[7], examples, 0.5, 1.0, 1e-6)
         assert np.abs(found - sign * pose[7]).max() < 0.2 * np.abs(rough - sign * pose[7]).max()
