@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -122,6 +122,12 @@ class Track:
             ),
             [len(p) for p in points],
         )
+
+    def errors(self, by_method: Mapping[str, Array]) -> None:
+        """Log each method's distance of true and estimated poses, ``(F,)``."""
+        for k, (method, values) in enumerate(by_method.items()):
+            colour = palette.METHODS.get(method) or palette.hue(k, len(by_method))
+            self.series(entities.of(entities.ERROR, method), values, method, colour, 1.0)
 
     def bars(
         self, entity: str, values: Array, colour: palette.Colour, places: Array | None = None

@@ -98,9 +98,7 @@ def _known(track: Track, take: Take, truth: Truth, space: PoseSpace) -> None:
     )
     track.poses(entities.TRUE_POSE, truth.poses, space)
     track.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
-    for k, (method, errors) in enumerate(truth.errors.items()):
-        colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
-        track.series(entities.of(entities.ERROR, method), errors, method, colour, 1.0)
+    track.errors(truth.errors)
 
 
 def _modes(

@@ -85,9 +85,7 @@ def record_tracking(
         shares = _by_heading(track.beliefs, facing)
         lines.bars(entities.BELIEF, shares, palette.ESTIMATED, middles)
         lines.states(entities.STATE, track.state, palette.STATES)
-        for k, (method, errors) in enumerate(truth.errors.items()):
-            colour = palette.METHODS.get(method) or palette.hue(k, len(truth.errors))
-            lines.series(entities.of(entities.ERROR, method), errors, method, colour, 1.0)
+        lines.errors(truth.errors)
 
 
 def _by_heading(beliefs: Array, facing: Array) -> Array:
