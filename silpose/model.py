@@ -28,7 +28,7 @@ Masks = NDArray[Any] | Sequence[ArrayLike]
 
 AnyTracker = Tracker | MultipleHypothesisTracker
 
-FORMAT = 3
+FORMAT = 4
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from sklearn.base import clone
 
 from silpose.regression import RidgeRegressor
 from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.tracking.key_poses import KeyPoses
 from silpose.tracking.point import PointTracker
 from silpose.tracking.rivals import fuse, smooth, viterbi, windowed
 from silpose.tracking.selection import (
@@ -27,6 +28,7 @@ from silpose.tracking.settings import (
     RivalSettings,
     TrackerSettings,
 )
+from silpose.tracking.stacking import stacked_shares
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
 from silpose.tracking.tracker import Tracker
 
@@ -37,21 +39,31 @@ _FEW_EXAMPLES = 10_000  # from which they learn
 
 
 def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
-    """Fit the tracker whose kernel widths are best when it may not wait."""
+    """Fit the tracker whose kernel widths, then whose shares are best when it may not wait."""
 
-    def tracker(keep: float = settings.keep, **chosen: float) -> Tracker:
+    def tracker(
+        keep: float = settings.keep,
+        heading_alone: float = 0.0,
+        body_alone: float = 0.0,
+        **chosen: float,
+    ) -> Tracker:
         return Tracker(
             selection.space.name,
             keep,
             restart=settings.restart,
             frames_per_second=selection.frames_per_second,
             random_state=settings.random_state,
+            heading_alone=heading_alone,
+            body_alone=body_alone,
             **chosen,
         )
 
-    def family(learnt: Examples) -> Maker:
+    def key_poses(learnt: Examples) -> KeyPoses:
         frames = sum(len(x) for _, x in learnt)
-        keys = tracker(min(settings.keep, FEW_KEY_POSES / frames)).key_poses(learnt)
+        return tracker(min(settings.keep, FEW_KEY_POSES / frames)).key_poses(learnt)
+
+    def family(learnt: Examples) -> Maker:
+        keys = key_poses(learnt)
         fitted = cache(lambda pose_width: tracker(pose_width=pose_width).take(keys))
         return lambda pose_width, **rest: (
             lambda z, _: fitted(pose_width).set_params(**rest).track(z).x
@@ -62,7 +74,14 @@ def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
         "descriptor_width": settings.descriptor_width,
         "damping": settings.damping,
     }
-    return tracker(**selection.best("tracker", grid, family)).fit(selection.train)
+    best = selection.best("tracker", grid, family)
+    given = {"heading_alone": settings.heading_alone, "body_alone": settings.body_alone}
+    shares = {name: share for name, share in given.items() if share is not None}
+    if len(shares) < len(given):
+        stacked = stacked_shares(selection, lambda some: tracker(**best).take(key_poses(some)))
+        shares = stacked | shares
+        selection.rows.append({"method": "tracker", **best, **shares})
+    return tracker(**best, **shares).fit(selection.train)
 
 
 def choose_dynamics(selection: Selection, settings: DynamicsSettings) -> SecondOrderDynamics:

@@ -8,18 +8,41 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
 from sklearn.cluster import KMeans
 
 from silpose.errors import InputError
 from silpose.pose import PoseSpace
 from silpose.regression.reduction import whitening
+from silpose.tracking.silhouette_alone import SilhouetteRegressor
 
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
+
+
+@dataclass(frozen=True)
+class Sight:
+    """Frames as they compare with key poses.
+
+    Attributes
+    ----------
+    descriptors : ndarray, shape (F, d)
+        Whitened; NaN where there was nothing to see.
+    distances : ndarray, shape (F, K)
+        Squared, to key poses' descriptors, in their spread; 0 where there was nothing to see.
+    """
+
+    descriptors: Array
+    distances: Array
+
+    @property
+    def blank(self) -> NDArray[np.bool_]:
+        """Where there was nothing to see, shape (F,)."""
+        return np.asarray(np.isnan(self.descriptors).any(axis=1))
 
 
 @dataclass(frozen=True)
@@ -59,6 +82,19 @@ class KeyExamples:
         """Descriptors (n, d) as `descriptors` are."""
         return np.sqrt(np.maximum(z, 0)) @ self.whitening
 
+    def see(self, z: ArrayLike) -> Sight:
+        """Compare descriptors (F, d); what is not finite was not seen."""
+        z, columns = np.asarray(z, dtype=float), len(self.whitening)
+        if z.ndim != 2 or z.shape[1] != columns:
+            raise InputError(f"descriptors have shape {z.shape}: expected (frames, {columns})")
+        if len(z) == 0:
+            raise InputError("there is no frame to track")
+        blank = ~np.isfinite(z).all(axis=1)
+        seen = self.whitened(np.where(blank[:, None], 0, z))
+        distances = self.descriptor_distances(seen)
+        seen[blank], distances[blank] = np.nan, 0
+        return Sight(seen, distances)
+
     def pose_distances(self, x: Array) -> Array:
         """Mean squared difference of poses (n, D) to key poses, shape (n, K)."""
         return squared_distances((x - self.mean) / self.scale, self.poses) / len(self.mean)
@@ -77,14 +113,18 @@ class KeyPoses:
     Attributes
     ----------
     examples : KeyExamples
-    following : ndarray, shape (n, D)
-        The pose after each training frame, standardised.
+    poses, following : ndarray, shape (n, D)
+        Of each training frame, and after it, standardised.
+    seen : ndarray, shape (n, d)
+        Whitened descriptors of training frames.
     members : csr_array, shape (K, n)
         Rows average over the frames of each key pose.
     """
 
     examples: KeyExamples
+    poses: Array
     following: Array
+    seen: Array
     members: csr_array
 
     @classmethod
@@ -111,7 +151,7 @@ class KeyPoses:
         within = seen - descriptors[labels]
         spread = max(float((within**2).sum(axis=1).mean()), 1e-12)
         examples = KeyExamples(mean, scale, directions, centres, descriptors, spread)
-        return cls(examples, following, members)
+        return cls(examples, poses, following, seen, members)
 
     def transitions(self, width: float, restart: float) -> Array:
         """Probability (K, K) that one key pose follows another, a frame later.
@@ -120,9 +160,7 @@ class KeyPoses:
         standard deviation `width` per column; with probability `restart` it is any.
         """
         poses = self.examples.poses
-        distances = squared_distances(self.following, poses) / poses.shape[1]
-        distances -= distances.min(axis=1, keepdims=True)
-        near = np.exp(-distances / (2 * width**2))
+        near = kernel(squared_distances(self.following, poses) / poses.shape[1], width)
         near /= near.sum(axis=1, keepdims=True)
         return (1 - restart) * (self.members @ near) + restart / len(poses)
 
@@ -130,6 +168,17 @@ class KeyPoses:
     def sizes(self) -> Array:
         """Number of training frames in each key pose, shape (K,)."""
         return np.diff(self.members.indptr).astype(float)
+
+    @cached_property
+    def silhouette_alone(self) -> SilhouetteRegressor:
+        """A regressor that knows nothing of the frames before."""
+        return SilhouetteRegressor.fit(self.examples.descriptor_distances(self.seen), self.poses)
+
+
+def kernel(distances: Array, width: float) -> Array:
+    """Gaussian of squared distances (F, K), scaled so that the largest of a frame is 1."""
+    nearest = distances.min(axis=1, keepdims=True)
+    return np.exp((nearest - distances) / (2 * width**2))
 
 
 def squared_distances(a: Array, b: Array) -> Array:

@@ -72,10 +72,7 @@ class Selection:
         settings = [dict(zip(grid, values, strict=True)) for values in product(*several)]
         if len(settings) == 1:
             return settings[0]
-        pairs = [
-            (learnt, _spread(judged))
-            for learnt, judged in folds(self.train, self.validation, groups=self.groups)
-        ]
+        pairs = self.folds()
         errors = np.empty((len(pairs), len(settings)))
         with bar(method, errors.size) as advance:
             for row, (learnt, judged) in zip(errors, pairs, strict=True):
@@ -88,6 +85,13 @@ class Selection:
         for setting, mean in zip(settings, means, strict=True):
             self.rows.append({"method": method, **setting, "validation_error": float(mean)})
         return settings[int(means.argmin())]
+
+    def folds(self) -> list[tuple[Examples, Examples]]:
+        """Pair sequences to learn from with those that judge."""
+        return [
+            (learnt, _spread(judged))
+            for learnt, judged in folds(self.train, self.validation, groups=self.groups)
+        ]
 
     def _error(self, estimate: Estimate, judged: Examples) -> float:
         """Mean distance over all frames."""

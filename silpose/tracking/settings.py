@@ -19,18 +19,27 @@ def _check(settings: object, group: str, *names: str) -> None:
 
 @dataclass(frozen=True)
 class TrackerSettings:
-    """Of `Tracker`, and the seconds that it may wait where it may wait."""
+    """Of `Tracker`, and the seconds that it may wait where it may wait.
+
+    Shares regressed on the silhouette alone are stacked on validation sequences unless given.
+    """
 
     keep: float = 0.18
     pose_width: Values = field(default_factory=lambda: [0.2, 0.3, 0.45, 0.7, 1.0])
     descriptor_width: Values = field(default_factory=lambda: [0.6, 0.8, 1.0, 1.3, 1.6, 2.0])
     damping: Values = field(default_factory=lambda: [1.0, 4.0])
+    heading_alone: float | None = None
+    body_alone: float | None = None
     restart: float = 1e-6
     lag: float = 0.5
     random_state: int | None = 0
 
     def __post_init__(self) -> None:
         _check(self, "tracker", "keep", "pose_width", "descriptor_width", "damping")
+        for name in ("heading_alone", "body_alone"):
+            share = getattr(self, name)
+            if share is not None and not 0 <= share <= 1:
+                raise InputError(f"tracking.tracker.{name} is a share from 0 to 1, not {share}")
         if not self.lag >= 0:
             raise InputError(f"tracking.tracker.lag is 0 or more seconds, not {self.lag}")
 

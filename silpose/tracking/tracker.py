@@ -7,7 +7,8 @@ by the mean of K_x(·, x_k) over where each key pose i goes next, Σ_i a_i K_x(f
 Normalised, the activations are the next belief: Bayesian filtering on exemplars, as in K. Toyama,
 A. Blake, "Probabilistic tracking in a metric space", ICCV 2001. The pose is regressed, linearly in
 z, on the key poses (z_k, x_k) as far as they are believed in. So the belief settles which of the
-poses that look alike is meant, and the silhouette where between key poses it lies.
+poses that look alike is meant, and the silhouette where between key poses it lies. A share of the
+estimate is regressed on the silhouette alone.
 """
 
 from __future__ import annotations
@@ -24,8 +25,9 @@ from silpose.pose import SPACES
 from silpose.saved import State, part, plain, restored, state_of, under
 from silpose.tracking.belief import Filter, reversed_time, revise
 from silpose.tracking.frame_rate import check_rate
-from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoses
+from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoses, Sight, kernel
 from silpose.tracking.local_regression import regress_locally
+from silpose.tracking.silhouette_alone import SilhouetteRegressor
 
 Array = NDArray[np.float64]
 
@@ -67,6 +69,8 @@ class Tracker(BaseEstimator):
     damping : float
         λ of the regression on key poses, in units of a whitened descriptor's variance: about what
         one varies by although the pose does not.
+    heading_alone, body_alone : float
+        Shares of the heading and of the rest of a pose that are regressed on the silhouette alone.
     restart : float
         Probability that the next pose has nothing to do with the last. At 0 the tracker never
         recovers.
@@ -80,6 +84,7 @@ class Tracker(BaseEstimator):
         Key poses and their descriptors.
     transitions_ : ndarray, shape (K, K)
         Probability that one follows another.
+    silhouette_alone_ : SilhouetteRegressor
     kept_ : float
         Key poses over training frames.
     tolerance_ : float
@@ -93,6 +98,8 @@ class Tracker(BaseEstimator):
         pose_width: float = 0.2,
         descriptor_width: float = 1.0,
         damping: float = 1.0,
+        heading_alone: float = 0.0,
+        body_alone: float = 0.1,
         restart: float = 1e-6,
         frames_per_second: float = 15.0,
         random_state: int | None = 0,
@@ -102,6 +109,8 @@ class Tracker(BaseEstimator):
         self.pose_width = pose_width
         self.descriptor_width = descriptor_width
         self.damping = damping
+        self.heading_alone = heading_alone
+        self.body_alone = body_alone
         self.restart = restart
         self.frames_per_second = frames_per_second
         self.random_state = random_state
@@ -118,7 +127,7 @@ class Tracker(BaseEstimator):
         surprises = [0.0]
         for z, _ in sequences:
             run = self._filter(self.transitions_)
-            for row in self._likelihoods(self._whitened(z)):
+            for row in self._likelihoods(self.examples_.see(z)):
                 run.step(row)
                 surprises.append(run.surprise)
         self.tolerance_ = _TOLERATED * max(surprises)
@@ -133,9 +142,12 @@ class Tracker(BaseEstimator):
         for name in ("pose_width", "descriptor_width", "damping"):
             if not getattr(self, name) > 0:
                 raise InputError(f"{name} must be positive, not {getattr(self, name)}")
+        for name in ("heading_alone", "body_alone"):
+            if not 0 <= getattr(self, name) <= 1:
+                raise InputError(f"{name} is a share from 0 to 1, not {getattr(self, name)}")
         if not 0 <= self.restart < 1:
             raise InputError(f"restart is a probability below 1, not {self.restart}")
-        self.examples_ = keys.examples
+        self.examples_, self.silhouette_alone_ = keys.examples, keys.silhouette_alone
         self.transitions_ = keys.transitions(self.pose_width, self.restart)
         self.sizes_ = keys.sizes
         self.kept_ = len(keys.sizes) / len(keys.following)
@@ -172,21 +184,20 @@ class Tracker(BaseEstimator):
         """
         check_is_fitted(self)
         check_rate(self.frames_per_second, frames_per_second)
-        seen = self._whitened(z)[:: -1 if backwards else 1]
+        sight = self.examples_.see(np.asarray(z)[::-1] if backwards else z)
         transitions = self.transitions_
         if backwards:
             transitions = reversed_time(transitions, self.sizes_)
-        likelihoods = self._likelihoods(seen)
+        likelihoods, blank = self._likelihoods(sight), sight.blank
         if initial is not None:
-            known = self._pose_likelihoods(initial)[: len(seen)]
+            known = self._pose_likelihoods(initial)[: len(blank)]
             likelihoods[: len(known)] = known
         run = self._filter(transitions)
-        blank = np.isnan(seen[:, 0])
         steps = [run.step(row, bool(gone)) for row, gone in zip(likelihoods, blank, strict=True)]
         beliefs, states = np.array([belief for belief, _ in steps]), [state for _, state in steps]
         if lag:
             beliefs = revise(beliefs, likelihoods, transitions, lag)
-        x = self._estimate(beliefs, seen)
+        x = self._estimate(beliefs, sight)
         if initial is not None:
             given = np.asarray(initial, dtype=float)[: len(x)]
             x[: len(given)] = given
@@ -205,57 +216,48 @@ class Tracker(BaseEstimator):
     def step(self, z: ArrayLike) -> tuple[Array, str]:
         """Track one frame more: its pose (D,) and state, from its descriptor (d,)."""
         check_is_fitted(self)
-        seen = self._whitened(np.asarray(z, dtype=float)[None])
-        belief, state = self._run.step(self._likelihoods(seen)[0], bool(np.isnan(seen).any()))
-        return self._estimate(belief[None], seen)[0], state
+        sight = self.examples_.see(np.asarray(z, dtype=float)[None])
+        belief, state = self._run.step(self._likelihoods(sight)[0], bool(sight.blank[0]))
+        return self._estimate(belief[None], sight)[0], state
 
     def _filter(self, transitions: Array) -> Filter:
         prior, headings = self.sizes_ / self.sizes_.sum(), self.examples_.headings
         return Filter(transitions, prior, headings, self.tolerance_, self.restart > 0)
 
-    def _whitened(self, z: ArrayLike) -> Array:
-        z = np.asarray(z, dtype=float)
-        columns = len(self.examples_.whitening)
-        if z.ndim != 2 or z.shape[1] != columns:
-            raise InputError(f"descriptors have shape {z.shape}: expected (frames, {columns})")
-        if len(z) == 0:
-            raise InputError("there is no frame to track")
-        blank = ~np.isfinite(z).all(axis=1)
-        seen = self.examples_.whitened(np.where(blank[:, None], 0, z))
-        seen[blank] = np.nan
-        return seen
-
-    def _likelihoods(self, seen: Array) -> Array:
-        """K_z(z, z_k), shape (F, K), scaled so that the largest of a frame is 1."""
-        distances = self.examples_.descriptor_distances(np.nan_to_num(seen))
-        distances -= distances.min(axis=1, keepdims=True)
-        exponent = distances / (2 * self.descriptor_width**2)
-        exponent[np.isnan(seen).any(axis=1)] = 0  # nothing was seen: any is as likely
-        return np.exp(-exponent)
+    def _likelihoods(self, sight: Sight) -> Array:
+        """K_z(z, z_k), shape (F, K)."""
+        return kernel(sight.distances, self.descriptor_width)
 
     def _pose_likelihoods(self, poses: ArrayLike) -> Array:
         """K_x(x, x_k) of poses that are known, shape (P, K)."""
-        poses = np.atleast_2d(np.asarray(poses, dtype=float))
-        distances = self.examples_.pose_distances(poses)
-        distances -= distances.min(axis=1, keepdims=True)
-        return np.exp(-distances / (2 * self.pose_width**2))
+        known = np.atleast_2d(np.asarray(poses, dtype=float))
+        return kernel(self.examples_.pose_distances(known), self.pose_width)
 
-    def _estimate(self, beliefs: Array, seen: Array) -> Array:
-        own = self.examples_
-        rows = zip(beliefs, seen, strict=True)
-        poses = [regress_locally(b, own.poses, own.descriptors, z, self.damping) for b, z in rows]
-        return np.array(poses) * own.scale + own.mean
+    def _estimate(self, beliefs: Array, sight: Sight) -> Array:
+        own, seen = self.examples_, ~sight.blank
+        rows = zip(beliefs, sight.descriptors, strict=True)
+        poses = np.array(
+            [regress_locally(b, own.poses, own.descriptors, z, self.damping) for b, z in rows]
+        )
+        alone = self.silhouette_alone_.predict(sight.distances[seen])
+        share = np.full(len(own.mean), self.body_alone)
+        share[:2] = self.heading_alone
+        poses[seen] += share * (alone - poses[seen])
+        return poses * own.scale + own.mean
 
     def state(self) -> State:
         """Give parameters and what was learnt, as arrays and numbers."""
         check_is_fitted(self)
-        return state_of(self, _LEARNT) | under("examples", asdict(self.examples_))
+        own = state_of(self, _LEARNT) | under("examples", asdict(self.examples_))
+        return own | under("silhouette_alone", asdict(self.silhouette_alone_))
 
     @classmethod
     def from_state(cls, state: State) -> Tracker:
         """Restore what `state` gave."""
         tracker = restored(cls, state, _LEARNT)
         tracker.examples_ = KeyExamples(**plain(part("examples", state)))
+        alone = plain(part("silhouette_alone", state))
+        tracker.silhouette_alone_ = SilhouetteRegressor(**alone)
         return tracker.start()
 
 

@@ -24,7 +24,8 @@ def selection(takes):
 
 def test_the_setting_best_on_validation_wins(selection):
     tried = {"pose_width": [0.3, 0.7], "descriptor_width": [0.6, 1, 1.6], "damping": [1, 4]}
-    chosen = choose_tracker(selection, TrackerSettings(keep=0.3, **tried))
+    settings = TrackerSettings(keep=0.3, heading_alone=0.0, body_alone=0.0, **tried)
+    chosen = choose_tracker(selection, settings)
     best = min(selection.rows, key=lambda row: row["validation_error"])
     assert [getattr(chosen, name) for name in tried] == [best[name] for name in tried]
     assert len(selection.rows) == 12
@@ -90,6 +91,7 @@ def test_the_papers_tracker_keeps_as_few_kernels_as_asked_for(selection, unseen)
         (lambda: TrackerSettings(pose_width=[]), "tracking.tracker.pose_width"),
         (lambda: TrackerSettings(damping=0), "tracking.tracker.damping"),
         (lambda: TrackerSettings(lag=-1), "tracking.tracker.lag"),
+        (lambda: TrackerSettings(body_alone=2), "tracking.tracker.body_alone"),
         (lambda: DynamicsSettings(damping=0), "tracking.dynamics.damping"),
         (lambda: RivalSettings(window=[-3]), "tracking.rivals.window"),
     ],

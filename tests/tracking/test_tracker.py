@@ -29,6 +29,19 @@ def test_follows_an_unseen_walk(tracker, unseen, takes):
     assert error[15:].mean() < 0.2 * ANGLES.distance(x, mean_pose).mean()
 
 
+def test_a_share_is_regressed_on_the_silhouette_alone(takes, unseen):
+    z = unseen[0].copy()
+    z[20] = np.nan
+    widths = {"keep": 0.3, "pose_width": 0.4, "descriptor_width": 0.8}
+    none, half, all_of_it = (
+        Tracker(**widths, heading_alone=share, body_alone=share).fit(takes).track(z).x
+        for share in (0.0, 0.5, 1.0)
+    )
+    assert half == pytest.approx((none + all_of_it) / 2)
+    assert all_of_it[20] == pytest.approx(none[20])  # nothing was seen
+    assert np.abs(all_of_it - none)[30:].max() > 1
+
+
 def test_waiting_helps(tracker, unseen):
     z, x = unseen
     assert off(x, tracker.track(z, lag=5)).mean() < off(x, tracker.track(z)).mean()
@@ -131,3 +144,9 @@ def test_what_it_cannot_do_it_says(tracker, unseen, takes):
     for wrong in ({"keep": 0}, {"pose_width": -1}, {"damping": 0}, {"restart": 1.0}):
         with pytest.raises(InputError, match=next(iter(wrong))):
             Tracker(**wrong).fit(takes)
+
+
+@pytest.mark.parametrize("name", ["heading_alone", "body_alone"])
+def test_a_share_beyond_1_is_refused(takes, name):
+    with pytest.raises(InputError, match=f"{name} is a share from 0 to 1, not 1.5"):
+        Tracker(**{name: 1.5}).fit(takes)

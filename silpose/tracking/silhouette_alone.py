@@ -1,0 +1,60 @@
+"""What the silhouette alone says of a pose, on the kernels that the tracker has anyhow (Eq. 3).
+
+A belief settles which of the poses that look alike is meant, but follows what it expects. Where
+a silhouette is unambiguous, as to the heading above all, a regressor of all examples that knows
+nothing of the past is off less often. So the tracker's estimate is stacked with it: L. Breiman,
+"Stacked regressions", Machine Learning 1996.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose.regression.normal_equations import solve_damped
+
+Array = NDArray[np.float64]
+
+_WIDTH = 1.4  # of the kernel, in key poses' spread: wider than where it is to tell poses apart
+_DAMPING = 1e-3
+
+
+@dataclass(frozen=True)
+class SilhouetteRegressor:
+    """Ridge regression of standardised poses on K_z(z, z_k), key poses being the centres.
+
+    Attributes
+    ----------
+    slopes : ndarray, shape (K, D)
+    offset : ndarray, shape (D,)
+    """
+
+    slopes: Array
+    offset: Array
+
+    @classmethod
+    def fit(cls, distances: Array, poses: Array) -> SilhouetteRegressor:
+        """Fit to training frames.
+
+        Parameters
+        ----------
+        distances : ndarray, shape (n, K)
+            Of their descriptors to key poses', squared, in these's spread.
+        poses : ndarray, shape (n, D)
+        """
+        kernels = _kernels(distances)
+        mean_kernel, mean_pose = kernels.mean(axis=0), poses.mean(axis=0)
+        kernels -= mean_kernel
+        gram, target = kernels.T @ kernels, kernels.T @ (poses - mean_pose)
+        slopes = solve_damped(gram, target, _DAMPING)
+        return cls(slopes, mean_pose - mean_kernel @ slopes)
+
+    def predict(self, distances: Array) -> Array:
+        """Estimate poses (F, D) from descriptors' distances to key poses' (F, K)."""
+        return _kernels(distances) @ self.slopes + self.offset
+
+
+def _kernels(distances: Array) -> Array:
+    return np.exp(-distances / (2 * _WIDTH**2))

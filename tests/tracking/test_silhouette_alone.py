@@ -1,0 +1,28 @@
+import numpy as np
+import pytest
+
+from silpose.tracking.key_poses import squared_distances
+from silpose.tracking.silhouette_alone import SilhouetteRegressor
+
+
+@pytest.fixture
+def curve():
+    """Where on a curve examples are (200,), their descriptors (200, 2) and poses (200, 3)."""
+    where = np.linspace(0, 5, 200)
+    poses = np.stack([np.sin(where), where, np.cos(2 * where)], axis=1)
+    return where, np.stack([where, np.sqrt(where)], axis=1), poses
+
+
+def test_regresses_what_it_has_not_seen(curve):
+    _, z, poses = curve
+    distances = squared_distances(z, z[::10]) / 0.3
+    alone = SilhouetteRegressor.fit(distances[::2], poses[::2])
+    off = np.abs(alone.predict(distances[1::2]) - poses[1::2])
+    assert off.mean() < 0.02 * poses.std()
+
+
+def test_averages_poses_that_look_alike(curve):
+    _, z, poses = curve
+    distances = squared_distances(z, z[::10])
+    both = SilhouetteRegressor.fit(np.vstack([distances] * 2), np.vstack([poses, -poses]))
+    assert both.predict(distances) == pytest.approx(np.zeros(poses.shape), abs=1e-6)
