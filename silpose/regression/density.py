@@ -53,7 +53,7 @@ class ConditionalDensity:
     anywhere : ndarray, shape (2, d)
         Mean and variance of all training inputs.
     shared : SharedRegressor or None
-    temperature, noise_width, shared_width, doubt, floor : float
+    temperature, noise_width, shared_width, shared_temperature, doubt, floor : float
         As `MixtureOfRegressors` explains them.
     """
 
@@ -63,28 +63,47 @@ class ConditionalDensity:
     temperature: float
     noise_width: float
     shared_width: float
+    shared_temperature: float
     doubt: float
     floor: float
 
-    def log_weights(self, seen: Seen) -> Array:
-        """Log π_k(ψ) of K components and of none, shape (n, K + 1)."""
+    def _log_gates(self, seen: Seen) -> Array:
+        """Log π_k(ψ) of K components and of none, shape (n, K + 1), not normalised."""
         gates = self.experts.log_gates(seen.psi, self.temperature)
         mean, variance = self.anywhere
         off = ((seen.psi - mean) ** 2 / variance + np.log(2 * np.pi * variance)).sum(axis=1)
         with np.errstate(divide="ignore"):
             anywhere = np.log(self.doubt) - 0.5 * off / self.temperature
-        gates = np.column_stack([np.log1p(-self.doubt) + gates, anywhere])
-        return gates - logsumexp(gates, axis=1, keepdims=True)
+        return np.column_stack([np.log1p(-self.doubt) + gates, anywhere])
 
-    def means(self, seen: Seen, which: NDArray[np.intp] | None = None) -> Array:
-        """x̄_k(ψ) of all components, or of some, and of none, shape (n, K + 1, D)."""
+    def components(self, seen: Seen, least: float = 0.0) -> tuple[Array, Array, NDArray[np.intp]]:
+        """Give log weights (n, K'), means x̄_k(ψ) (n, K', D) and which components these are.
+
+        Those whose gate is below a share `least` of the widest open one are left out. The shared
+        regressor moves weight, though none to or from the component that stands for none, which
+        comes last.
+        """
+        gates = self._log_gates(seen)
+        own = gates[:, :-1]
+        which = np.arange(own.shape[1])
+        if least > 0:
+            which = np.flatnonzero((own > own.max() + np.log(least)).any(axis=0))
+            own = own[:, which]
         means = self.experts.means(seen.psi, which)
         if self.shared is not None and seen.shared is not None:
-            noises = self.experts.noises if which is None else self.experts.noises[which]
-            heed = self.shared.heed(noises, self.shared_width)
+            noises = self.experts.noises[which]
+            told = self.shared.tell(seen.shared, means, noises, self.shared_width, which)
+            told /= self.shared_temperature
+            told += own
+            told -= logsumexp(told, axis=1, keepdims=True)
+            own = told + logsumexp(own, axis=1, keepdims=True)
+            heed = self.shared.heed(noises, self.shared_width, which)
             means += heed * (seen.shared[:, None] - means)
+        weights = np.column_stack([own, gates[:, -1]])
+        weights -= logsumexp(weights, axis=1, keepdims=True)
         anything = np.zeros((len(means), 1, means.shape[2]))
-        return np.concatenate([means, anything], axis=1)
+        both = np.append(which, len(self.experts.offsets))
+        return weights, np.concatenate([means, anything], axis=1), both
 
     def variances(self) -> Array:
         """Diagonals of Λ_k, shape (K + 1, D)."""
@@ -97,25 +116,30 @@ class ConditionalDensity:
         Their shares π_k are left out: components weigh as if all were as frequent.
         """
         shares = self.experts.log_shares
-        log_weights = self.log_weights(seen)[0] - np.append(shares, shares.mean())
-        matter = log_weights > log_weights.max() + np.log(least)
-        matter[-1] = True
-        means = self.means(seen, np.flatnonzero(matter[:-1]))[0]
-        return log_weights[matter], means, self.variances()[matter]
+        weights, means, which = self.components(seen, least)
+        return (
+            weights[0] - np.append(shares, shares.mean())[which],
+            means[0],
+            self.variances()[which],
+        )
 
     def mean(self, seen: Seen) -> Array:
         """Mean of p(x|ψ), shape (n, D)."""
-        blocks = [(np.exp(self.log_weights(some)), self.means(some)) for some in seen.blocks()]
-        return np.concatenate([np.einsum("nk,nkd->nd", *block) for block in blocks])
+        found = []
+        for some in seen.blocks():
+            weights, means, _ = self.components(some)
+            found.append(np.einsum("nk,nkd->nd", np.exp(weights), means))
+        return np.concatenate(found)
 
     def modes(self, seen: Seen, count: int, agreement: float) -> tuple[Array, Array, Array]:
         """Weights (n, count), means and variances (n, count, D) of `distinct_modes`."""
         found = []
         for some in seen.blocks():
-            own = self.log_weights(some)[:, :-1]
+            weights, means, _ = self.components(some)
+            own = weights[:, :-1]
             total = logsumexp(own, axis=1, keepdims=True)
             weights, means, variances = distinct_modes(
-                np.exp(own - total), self.means(some)[:, :-1], self.experts.noises,
+                np.exp(own - total), means[:, :-1], self.experts.noises,
                 self.noise_width, count, agreement,
             )  # fmt: skip
             found.append((np.exp(total) * weights, means, variances))
@@ -128,10 +152,11 @@ class ConditionalDensity:
         constant = np.log(2 * np.pi * variances).sum(axis=1)
         found, start = [], 0
         for some in seen.blocks():
-            means = self.means(some)[..., columns]
+            weights, means, _ = self.components(some)
+            means = means[..., columns]
             true = x[start : start + len(means), None, columns]
             off = ((true - means) ** 2 / variances).sum(axis=-1)
-            found.append(logsumexp(self.log_weights(some) - 0.5 * (off + constant), axis=1))
+            found.append(logsumexp(weights - 0.5 * (off + constant), axis=1))
             start += len(means)
         return np.concatenate(found)
 
@@ -139,7 +164,8 @@ class ConditionalDensity:
         """Draw from p(x|ψ), shape (n, count, D)."""
         drawn, variances = [], self.variances()
         for some in seen.blocks():
-            means, order = self.means(some), np.cumsum(np.exp(self.log_weights(some)), axis=1)
+            weights, means, _ = self.components(some)
+            order = np.cumsum(np.exp(weights), axis=1)
             places = random.random((len(means), count, 1)) * order[:, None, -1:]
             which = (places > order[:, None]).sum(axis=-1)
             centre = np.take_along_axis(means, which[..., None], axis=1)

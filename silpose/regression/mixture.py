@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 _MODES = 8  # among which weights are sharpened
 _POSITIVE = (
     "clusters", "dimensions", "damping", "temperature", "noise_width", "floor", "agreement",
-    "sharpness", "shared_width", "smallest", "max_iter",
+    "sharpness", "shared_width", "shared_temperature", "smallest", "max_iter",
 )  # fmt: skip
 ANSWERS = ("mode", "mean")
 
@@ -65,10 +65,13 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
     answer : {"mode", "mean"}
         What `predict` gives: the most probable mode, or the mean of the mixture.
     shared : Regressor, optional
-        Fitted to all examples; components' answers move towards its, in columns in which it errs
-        little.
+        Fitted to all examples; a component's answers move towards its, in columns in which it
+        errs little on the component's examples.
     shared_width : float
         Factor of the variance of its error in training: the larger, the less it is heeded.
+    shared_temperature : float
+        By which log densities are divided as which the shared regressor's estimate changes
+        components' weights: its errors in one column come with errors in others.
     smallest : int
         Examples that a component wants, at least.
     units : array-like, shape (D,), or None
@@ -106,6 +109,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         answer: str = "mode",
         shared: Regressor | None = None,
         shared_width: float = 8.0,
+        shared_temperature: float = 128.0,
         smallest: int = 5,
         units: ArrayLike | None = None,
         hellinger: bool = False,
@@ -125,6 +129,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.answer = answer
         self.shared = shared
         self.shared_width = shared_width
+        self.shared_temperature = shared_temperature
         self.smallest = smallest
         self.units = units
         self.hellinger = hellinger
@@ -159,14 +164,15 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.reduction_ = reduction.fit(inputs, compared)
         psi = self.reduction_.transform(inputs)
         labels = local_clusters(psi, compared, self.clusters, self.smallest, self.random_state)
+        prior = Prior.typical(psi, poses, labels, self.damping, self.floor)
         self.experts_, self.objective_, self.pruned_ = expectation_maximisation(
-            psi, poses, labels, Prior.typical(psi, poses, labels, self.damping, self.floor),
-            0.5 * self.smallest, self.max_iter, self.tol,
-        )  # fmt: skip
+            psi, poses, labels, prior, 0.5 * self.smallest, self.max_iter, self.tol
+        )
         self.n_iter_ = len(self.objective_)
         self.shared_ = None
         if self.shared is not None:
-            self.shared_ = SharedRegressor.fit(self.shared, inputs, poses)
+            shares, _ = self.experts_.responsibilities(psi, poses, prior)
+            self.shared_ = SharedRegressor.fit(self.shared, inputs, poses, shares)
         widest = self.experts_.spreads.max(axis=0)
         self.anywhere_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
         return self
@@ -276,7 +282,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         check_is_fitted(self)
         return ConditionalDensity(
             self.experts_, self.anywhere_, self.shared_, self.temperature, self.noise_width,
-            self.shared_width, self.doubt, self.floor,
+            self.shared_width, self.shared_temperature, self.doubt, self.floor,
         )  # fmt: skip
 
     def _seen(self, z: ArrayLike) -> Seen:

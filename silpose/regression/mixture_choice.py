@@ -35,13 +35,17 @@ class MixtureSettings:
     temperature: Values = field(default_factory=lambda: [4.0, 8.0, 16.0])
     noise_width: Values = field(default_factory=lambda: [1.0, 2.0, 4.0])
     shared_width: Values = field(default_factory=lambda: [1.0, 2.0, 4.0, 8.0, 16.0])
+    shared_temperature: Values = field(default_factory=lambda: [16.0, 32.0, 64.0, 128.0, 256.0])
     sharpness: Values = field(default_factory=lambda: [0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.8, 4.0])
     floor: float = 0.1
     hellinger: bool = True
     random_state: int | None = 0
 
     def __post_init__(self) -> None:
-        for name in ("clusters", "temperature", "noise_width", "shared_width", "sharpness"):
+        for name in (
+            "clusters", "temperature", "noise_width", "shared_width", "shared_temperature",
+            "sharpness",
+        ):  # fmt: skip
             numbers(getattr(self, name), f"mixture.{name}")
 
     def mixture(
@@ -72,7 +76,7 @@ def choose_mixture(
     """Fit the mixture of highest held-out likelihood, then calibrate the weights of its modes.
 
     How far the shared regressor is heeded is chosen after the number of clusters and the gates'
-    temperature.
+    temperature, and last how far it changes components' weights.
 
     Parameters
     ----------
@@ -117,8 +121,11 @@ def choose_mixture(
                 "shared_width": numbers(settings.shared_width, "mixture.shared_width"),
             }
             more = _judged(judges, grid, **best)
-            rows += more
             best = _likeliest(more)
+            temperatures = numbers(settings.shared_temperature, "mixture.shared_temperature")
+            last = _judged(judges, {"shared_temperature": temperatures}, **best)
+            best = _likeliest(last)
+            rows += more + last
         count = best.pop("clusters")
         for mixture, _, _ in judges:
             mixture.set_params(**best)

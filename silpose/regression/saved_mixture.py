@@ -27,7 +27,7 @@ def mixture_state(mixture: MixtureOfRegressors) -> State:
     shared = mixture.shared_
     if shared is None:
         return own
-    return own | under("shared", shared.regressor.state() | {"variance": shared.variance})
+    return own | under("shared", shared.regressor.state() | {"variances": shared.variances})
 
 
 def mixture_from(state: State) -> MixtureOfRegressors:
@@ -40,5 +40,5 @@ def mixture_from(state: State) -> MixtureOfRegressors:
     mixture.shared_ = None
     if shared:
         regressor = Regressor.from_state(shared)
-        mixture.shared_ = SharedRegressor(regressor, np.asarray(shared["variance"]))
+        mixture.shared_ = SharedRegressor(regressor, np.asarray(shared["variances"]))
     return mixture

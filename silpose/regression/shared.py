@@ -1,9 +1,10 @@
 """A regressor that all examples share, beside the local ones of a mixture.
 
 A component learns from few examples and varies with them; a regressor of all examples varies
-little, but averages where one silhouette means several poses. Its error in training tells in
-which columns, so the two are combined as products of Gaussians (T. Heskes, "Selecting weighting
-factors in logarithmic opinion pools", NIPS 1997): components keep what it cannot tell.
+little, but averages where one silhouette means several poses. Its error in training, near each
+component, tells where and in which columns, so the two are combined as products of Gaussians
+(T. Heskes, "Selecting weighting factors in logarithmic opinion pools", NIPS 1997): components keep
+what it cannot tell, and those that contradict what it can weigh less.
 """
 
 from __future__ import annotations
@@ -18,6 +19,8 @@ from silpose.regression.regressor import Regressor
 
 Array = NDArray[np.float64]
 
+_STRENGTH = 50.0  # examples that the mean squared error of all is worth to a component
+
 
 @dataclass(frozen=True)
 class SharedRegressor:
@@ -27,27 +30,61 @@ class SharedRegressor:
     ----------
     regressor : Regressor
         From inputs (n, d) to standardised poses (n, D).
-    variance : ndarray, shape (D,)
-        Mean squared error of each output in training.
+    variances : ndarray, shape (K, D)
+        Mean squared error of each output in training, over the examples of each component.
     """
 
     regressor: Regressor
-    variance: Array
+    variances: Array
 
     @classmethod
-    def fit(cls, regressor: Regressor, inputs: Array, poses: Array) -> SharedRegressor:
-        """Fit a regressor of these settings."""
-        fitted = clone(regressor).fit(inputs, poses)
-        return cls(fitted, ((fitted.predict(inputs) - poses) ** 2).mean(axis=0))
-
-    def heed(self, noises: Array, width: float) -> Array:
-        """How far an answer of variance Λ_k moves towards the shared one's, 0 to 1.
+    def fit(
+        cls, regressor: Regressor, inputs: Array, poses: Array, shares: Array
+    ) -> SharedRegressor:
+        """Fit a regressor of these settings.
 
         Parameters
         ----------
-        noises : ndarray, shape (K, D)
-            Diagonals of Λ_k.
-        width : float
-            Factor of the shared variance.
+        regressor : Regressor
+        inputs, poses : ndarray, shapes (n, d) and (n, D)
+        shares : ndarray, shape (n, K)
+            Of each component in each example.
         """
-        return noises / (noises + width * self.variance)
+        fitted = clone(regressor).fit(inputs, poses)
+        squared = (fitted.predict(inputs) - poses) ** 2
+        size = shares.sum(axis=0)[:, None] + _STRENGTH
+        return cls(fitted, (shares.T @ squared + _STRENGTH * squared.mean(axis=0)) / size)
+
+    def heed(
+        self, noises: Array, width: float, which: NDArray[np.intp] | slice = slice(None)
+    ) -> Array:
+        """How far components' answers move towards the shared one, 0 to 1.
+
+        Parameters
+        ----------
+        noises : ndarray, shape (K', D)
+            Diagonals of Λ_k of components `which`.
+        width : float
+            Factor of the shared variances.
+        which : ndarray of int or slice
+        """
+        return noises / (noises + width * self.variances[which])
+
+    def tell(
+        self, said: Array, means: Array, noises: Array, width: float, which: NDArray[np.intp]
+    ) -> Array:
+        """Log density of what the shared regressor said, if a component is right, shape (n, K').
+
+        Parameters
+        ----------
+        said : ndarray, shape (n, D)
+        means : ndarray, shape (n, K', D)
+            Components' own answers.
+        noises, width, which
+            As for `heed`.
+        """
+        variances = noises + width * self.variances[which]
+        log_densities = np.empty(means.shape[:2])
+        for k, variance in enumerate(variances):
+            log_densities[:, k] = -0.5 * ((said - means[:, k]) ** 2 @ (1 / variance))
+        return log_densities - 0.5 * np.log(2 * np.pi * variances).sum(axis=1)
