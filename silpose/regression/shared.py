@@ -84,7 +84,6 @@ class SharedRegressor:
             As for `heed`.
         """
         variances = noises + width * self.variances[which]
-        log_densities = np.empty(means.shape[:2])
-        for k, variance in enumerate(variances):
-            log_densities[:, k] = -0.5 * ((said - means[:, k]) ** 2 @ (1 / variance))
-        return log_densities - 0.5 * np.log(2 * np.pi * variances).sum(axis=1)
+        off = said[:, None] - means
+        squared = np.einsum("nkd,nkd,kd->nk", off, off, 1 / variances)
+        return -0.5 * (squared + np.log(2 * np.pi * variances).sum(axis=1))
