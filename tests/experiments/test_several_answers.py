@@ -41,7 +41,7 @@ def test_the_best_of_more_modes_is_better(study):
     assert error["mixture_best4"] < error["mean_pose"]
     for method in ("ridge", "mixture_top1", "gmr_top1"):
         assert np.isfinite(metrics[method]["log_likelihood"])
-    assert len([row for row in rows if row["validation_log_likelihood"]]) == 2 + 5
+    assert len([row for row in rows if row["validation_log_likelihood"]]) == 2 + 5 + 5
 
 
 def test_ambiguous_silhouettes_are_counted(study):
@@ -59,6 +59,7 @@ def test_on_the_authors_data_the_mixture_reaches_what_is_claimed(study, shared_m
         "regression.mixture.temperature=16",
         "regression.mixture.noise_width=4",
         "regression.mixture.shared_width=16",
+        "regression.mixture.shared_temperature=256",
         "regression.mixture.sharpness=0.7",
         "gmr=[1]",
     )
