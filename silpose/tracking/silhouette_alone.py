@@ -41,7 +41,7 @@ class SilhouetteRegressor:
         Parameters
         ----------
         distances : ndarray, shape (n, K)
-            Of their descriptors to key poses', squared, in these's spread.
+            Squared, of their descriptors to key poses', in units of their spread.
         poses : ndarray, shape (n, D)
         """
         kernels = _kernels(distances)
@@ -54,6 +54,10 @@ class SilhouetteRegressor:
     def predict(self, distances: Array) -> Array:
         """Estimate poses (F, D) from descriptors' distances to key poses' (F, K)."""
         return _kernels(distances) @ self.slopes + self.offset
+
+    def trust(self, distances: Array) -> Array:
+        """How far it knows such silhouettes, shape (F, 1): far from all key poses it knows none."""
+        return _kernels(distances.min(axis=1, keepdims=True))
 
 
 def _kernels(distances: Array) -> Array:

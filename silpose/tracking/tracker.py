@@ -70,7 +70,8 @@ class Tracker(BaseEstimator):
         λ of the regression on key poses, in units of a whitened descriptor's variance: about what
         one varies by although the pose does not.
     heading_alone, body_alone : float
-        Shares of the heading and of the rest of a pose that are regressed on the silhouette alone.
+        Shares of the heading and of the rest of a pose that are regressed on the silhouette alone,
+        where it resembles a key pose's; less where it does not.
     restart : float
         Probability that the next pose has nothing to do with the last. At 0 the tracker never
         recovers.
@@ -239,10 +240,10 @@ class Tracker(BaseEstimator):
         poses = np.array(
             [regress_locally(b, own.poses, own.descriptors, z, self.damping) for b, z in rows]
         )
-        alone = self.silhouette_alone_.predict(sight.distances[seen])
+        alone, distances = self.silhouette_alone_, sight.distances[seen]
         share = np.full(len(own.mean), self.body_alone)
         share[:2] = self.heading_alone
-        poses[seen] += share * (alone - poses[seen])
+        poses[seen] += share * alone.trust(distances) * (alone.predict(distances) - poses[seen])
         return poses * own.scale + own.mean
 
     def state(self) -> State:
