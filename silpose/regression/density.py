@@ -91,12 +91,9 @@ class ConditionalDensity:
         means = self.experts.means(seen.psi, which)
         if self.shared is not None and seen.shared is not None:
             noises = self.experts.noises[which]
-            told = self.shared.tell(seen.shared, means, noises, self.shared_width, which)
-            told /= self.shared_temperature
-            told += own
-            own = told + (_total(own) - _total(told))
-            heed = self.shared.heed(noises, self.shared_width, which)
-            means += heed * (seen.shared[:, None] - means)
+            told, means = self.shared.product(seen.shared, means, noises, self.shared_width, which)
+            moved = own + told / self.shared_temperature
+            own = moved + (_total(own) - _total(moved))
         weights = np.column_stack([own, gates[:, -1]])
         weights -= _total(weights)
         anything = np.zeros((len(means), 1, means.shape[2]))

@@ -115,9 +115,8 @@ class Experts:
         squared += (self.centres**2 * precision + np.log(2 * np.pi * self.spreads)).sum(axis=1)
         return self.log_shares - 0.5 * squared / temperature
 
-    def means(self, inputs: Array, which: NDArray[np.intp] | None = None) -> Array:
-        """x̄_k = b_k + (ψ - μ_k) A_k of all components, or of some, shape (n, K, D)."""
-        which = np.arange(len(self.offsets)) if which is None else which
+    def means(self, inputs: Array, which: NDArray[np.intp]) -> Array:
+        """x̄_k = b_k + (ψ - μ_k) A_k of components `which`, shape (n, K', D)."""
         means = np.empty((len(inputs), len(which), self.offsets.shape[1]))
         for place, k in enumerate(which):
             means[:, place] = self.offsets[k] + (inputs - self.centres[k]) @ self.slopes[k]

@@ -98,9 +98,12 @@ def choose_mixture(
     rows : list of dict
         Settings with ``validation_log_likelihood`` per frame.
     """
+
+    def grid_of(*names: str) -> dict[str, list[float]]:
+        return {name: numbers(getattr(settings, name), f"mixture.{name}") for name in names}
+
     pairs = folds(train, validation, groups=groups)
     clusters = numbers(settings.clusters, "mixture.clusters")
-    widths = numbers(settings.noise_width, "mixture.noise_width")
     fitted: dict[float, Judges] = {}
     with bar("mixture", len(clusters) * len(pairs) + 1) as advance:
         for count in clusters:
@@ -108,24 +111,15 @@ def choose_mixture(
                 mixture = settings.mixture(count, units, shared).fit(*_joined(learnt))
                 fitted.setdefault(count, []).append((mixture, *_joined(judged)))
                 advance(1)
-        grid = {
-            "temperature": numbers(settings.temperature, "mixture.temperature"),
-            "noise_width": widths,
-        }
+        grid = grid_of("temperature", "noise_width")
         rows = [row for c, judges in fitted.items() for row in _judged(judges, grid, clusters=c)]
         best = _likeliest(rows)
         judges = fitted[best["clusters"]]
-        if shared is not None:
-            grid = {
-                "noise_width": widths,
-                "shared_width": numbers(settings.shared_width, "mixture.shared_width"),
-            }
-            more = _judged(judges, grid, **best)
+        further = [("noise_width", "shared_width"), ("shared_temperature",)]
+        for names in further if shared is not None else []:
+            more = _judged(judges, grid_of(*names), **best)
+            rows += more
             best = _likeliest(more)
-            temperatures = numbers(settings.shared_temperature, "mixture.shared_temperature")
-            last = _judged(judges, {"shared_temperature": temperatures}, **best)
-            best = _likeliest(last)
-            rows += more + last
         count = best.pop("clusters")
         for mixture, _, _ in judges:
             mixture.set_params(**best)

@@ -55,35 +55,31 @@ class SharedRegressor:
         size = shares.sum(axis=0)[:, None] + _STRENGTH
         return cls(fitted, (shares.T @ squared + _STRENGTH * squared.mean(axis=0)) / size)
 
-    def heed(
-        self, noises: Array, width: float, which: NDArray[np.intp] | slice = slice(None)
-    ) -> Array:
-        """How far components' answers move towards the shared one, 0 to 1.
-
-        Parameters
-        ----------
-        noises : ndarray, shape (K', D)
-            Diagonals of Λ_k of components `which`.
-        width : float
-            Factor of the shared variances.
-        which : ndarray of int or slice
-        """
-        return noises / (noises + width * self.variances[which])
-
-    def tell(
+    def product(
         self, said: Array, means: Array, noises: Array, width: float, which: NDArray[np.intp]
-    ) -> Array:
-        """Log density of what the shared regressor said, if a component is right, shape (n, K').
+    ) -> tuple[Array, Array]:
+        """Multiply components' Gaussians with the one around what the shared regressor said.
 
         Parameters
         ----------
         said : ndarray, shape (n, D)
         means : ndarray, shape (n, K', D)
             Components' own answers.
-        noises, width, which
-            As for `heed`.
+        noises : ndarray, shape (K', D)
+            Diagonals of Λ_k of components `which`.
+        width : float
+            Factor of the shared variances.
+        which : ndarray of int, shape (K',)
+
+        Returns
+        -------
+        log_weights : ndarray, shape (n, K')
+            Log density of what was said, if a component is right.
+        means : ndarray, shape (n, K', D)
+            Answers, moved towards what was said as far as it is to be heeded.
         """
         variances = noises + width * self.variances[which]
         off = said[:, None] - means
         squared = np.einsum("nkd,nkd,kd->nk", off, off, 1 / variances)
-        return -0.5 * (squared + np.log(2 * np.pi * variances).sum(axis=1))
+        log_weights = -0.5 * (squared + np.log(2 * np.pi * variances).sum(axis=1))
+        return log_weights, means + noises / variances * off

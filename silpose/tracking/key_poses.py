@@ -78,10 +78,6 @@ class KeyExamples:
         """Cos and sin of each key pose's heading, shape (K, 2)."""
         return self.poses[:, :2] * self.scale[:2] + self.mean[:2]
 
-    def whitened(self, z: Array) -> Array:
-        """Descriptors (n, d) as `descriptors` are."""
-        return np.sqrt(np.maximum(z, 0)) @ self.whitening
-
     def see(self, z: ArrayLike) -> Sight:
         """Compare descriptors (F, d); what is not finite was not seen."""
         z, columns = np.asarray(z, dtype=float), len(self.whitening)
@@ -90,7 +86,7 @@ class KeyExamples:
         if len(z) == 0:
             raise InputError("there is no frame to track")
         blank = ~np.isfinite(z).all(axis=1)
-        seen = self.whitened(np.where(blank[:, None], 0, z))
+        seen = np.sqrt(np.where(blank[:, None], 0, np.maximum(z, 0))) @ self.whitening
         distances = self.descriptor_distances(seen)
         seen[blank], distances[blank] = np.nan, 0
         return Sight(seen, distances)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.tracking.key_poses import KeyExamples
+from silpose.tracking.key_poses import KeyExamples, kernel
 
 Array = NDArray[np.float64]
 
@@ -75,10 +75,10 @@ def regress_around(
     -------
     pose : ndarray, shape (D,)
     """
-    seen = examples.whitened(z[None])
-    exponent = examples.pose_distances(rough[None])[0] / (2 * pose_width**2)
-    exponent += examples.descriptor_distances(seen)[0] / (2 * descriptor_width**2)
-    weights = np.exp(exponent.min() - exponent)
+    sight = examples.see(z[None])
+    distances = examples.pose_distances(rough[None]) / pose_width**2
+    weights = kernel(distances + sight.distances / descriptor_width**2, 1.0)[0]
     weights /= weights.sum()
-    pose = regress_locally(weights, examples.poses, examples.descriptors, seen[0], damping)
+    seen = sight.descriptors[0]
+    pose = regress_locally(weights, examples.poses, examples.descriptors, seen, damping)
     return pose * examples.scale + examples.mean

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.regression.normal_equations import solve_damped
+from silpose.regression.normal_equations import NormalEquations
 
 Array = NDArray[np.float64]
 
@@ -44,12 +44,8 @@ class SilhouetteRegressor:
             Squared, of their descriptors to key poses', in units of their spread.
         poses : ndarray, shape (n, D)
         """
-        kernels = _kernels(distances)
-        mean_kernel, mean_pose = kernels.mean(axis=0), poses.mean(axis=0)
-        kernels -= mean_kernel
-        gram, target = kernels.T @ kernels, kernels.T @ (poses - mean_pose)
-        slopes = solve_damped(gram, target, _DAMPING)
-        return cls(slopes, mean_pose - mean_kernel @ slopes)
+        system = NormalEquations.of(_kernels(distances), poses)
+        return cls(*system.unscaled(system.solve(_DAMPING), slice(None)))
 
     def predict(self, distances: Array) -> Array:
         """Estimate poses (F, D) from descriptors' distances to key poses' (F, K)."""

@@ -21,11 +21,17 @@ def test_is_heeded_where_it_errs_little(examples):
     x = np.column_stack([x, np.where(x[:, 0] < 2, 0.0, x[:, 1])])  # hard to tell beyond 2 only
     shared = SharedRegressor.fit(RidgeRegressor(), z, x, shares)
     noises = np.full((2, 3), 0.05)
-    heed = shared.heed(noises, width=1.0)
+
+    def heeded(noises, width, which):  # how far an answer of 0 moves towards 1
+        return shared.product(np.ones((1, 3)), np.zeros((1, len(which), 3)), noises, width, which)[
+            1
+        ][0]
+
+    heed = heeded(noises, 1.0, np.arange(2))
     assert (heed[:, 0] > 0.9).all() and (heed[:, 1] < 0.1).all()
     assert heed[0, 2] > 2 * heed[1, 2]
-    assert (shared.heed(noises, width=100.0) < heed).all()
-    assert shared.heed(noises[1:], 1.0, np.array([1])) == pytest.approx(heed[1:])
+    assert (heeded(noises, 100.0, np.arange(2)) < heed).all()
+    assert heeded(noises[1:], 1.0, np.array([1])) == pytest.approx(heed[1:])
 
 
 def test_answers_move_towards_it_between_its_estimate_and_their_own(examples):
@@ -48,7 +54,7 @@ def test_tells_how_likely_its_estimate_is_if_a_component_is_right():
     said, means = random.normal(size=(5, 2)), random.normal(size=(5, 3, 2))
     noises, variances = random.random((3, 2)), random.random((3, 2))
     shared = SharedRegressor(RidgeRegressor(), variances)
-    told = shared.tell(said, means, noises, 2.0, np.arange(3))
+    told, _ = shared.product(said, means, noises, 2.0, np.arange(3))
     spread = np.sqrt(noises + 2 * variances)
     assert told == pytest.approx(norm.logpdf(said[:, None], means, spread).sum(axis=2))
 
