@@ -21,14 +21,12 @@ from silpose.pose import SPACES, AnglePoseSpace, PoseSpace
 from silpose.regression import REGRESSORS, Regressor
 from silpose.silhouette import read_masks
 from silpose.skeleton import standing_height
-from silpose.tracking import TRACKERS, ManyTracks, MultipleHypothesisTracker, Track, Tracker
+from silpose.tracking import TRACKERS, AnyTracker, ManyTracks, Track
 
 Array = NDArray[np.float64]
 Masks = NDArray[Any] | Sequence[ArrayLike]
 
-AnyTracker = Tracker | MultipleHypothesisTracker
-
-FORMAT = 4
+FORMAT = 5
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,7 +10,6 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.evaluation import baselines, measure
 from silpose.experiments.failures import BACK_DEG, Film, Follow, blanks, cuts
 from silpose.experiments.figures import ESTIMATED, QUIET, TRUE
 from silpose.experiments.rooms import Rooms
@@ -22,7 +21,7 @@ from silpose.recording import Truth, record_hypotheses
 from silpose.recording.palette import STATES
 from silpose.regression import MixtureOfRegressors
 from silpose.run import Run
-from silpose.tracking import ManyTracks, MultipleHypothesisTracker, choose_hypotheses
+from silpose.tracking import Estimate, ManyTracks, MultipleHypothesisTracker, choose_hypotheses
 
 Array = NDArray[np.float64]
 
@@ -33,7 +32,7 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
     """Track unseen sequences from no given pose, then with failures put in.
 
     Beside it stand the paper's state-sensitive tracker and the one of a belief over key poses,
-    given the first two true poses.
+    given the first two true poses; these frames count for none. The latter starts by itself, too.
 
     Parameters
     ----------
@@ -51,28 +50,23 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
     with run.stage("tracking"):
         settings = rooms.tracking.hypotheses
         tracker = choose_hypotheses(learnt.selection, settings, mixture, learnt.dynamics)
-        estimators: dict[str, Callable[[Array, Array], Array]] = {
+        estimators: dict[str, Estimate] = {
             "ridge": lambda z, _: learnt.ridge.predict(z),
             "mixture_top1": lambda z, _: mixture.predict(z),
             "joint": lambda z, start: learnt.joint.track(z, start)[0],
+            "tracker": lambda z, _: learnt.tracker.track(z).x,
             "tracker_given_start": lambda z, start: learnt.tracker.track(z, start).x,
             "hypotheses": lambda z, _: tracker.track(z).x,
             "hypotheses_lag": lambda z, _: tracker.track(z, lag=learnt.lag).x,
         }
-        tracks = {
-            method: np.concatenate([estimate(z, x[:2]) for z, x in described.test])
-            for method, estimate in estimators.items()
-        }
+        tracks = learnt.follow(estimators)
     with run.stage("failures"):
         seconds = _seconds_lost(rooms, learnt, tracker, blank_frames, trials)
     with run.stage("evaluation"):
-        z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
-        z, x = (np.concatenate(part) for part in zip(*described.test, strict=True))
-        estimates = baselines(space, z_train, x_train, z, x) | tracks
-        metrics = {m: measure(space, x, e, x_train) for m, e in estimates.items()}
+        metrics = learnt.measure(tracks)
         for method, kinds in seconds.items():
-            values = metrics.setdefault(method, {})
-            values |= {f"back_after_{k}": float((s <= SOON).mean()) for k, s in kinds.items()}
+            back = {f"back_after_{k}": float((s <= SOON).mean()) for k, s in kinds.items()}
+            metrics[method] |= back
     film = Film.of(described.data.test[0], described.test[0][0], blank_frames)
     many = tracker.track(film.z)
     model = replace(described.model(learnt.ridge), tracker=tracker)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,11 +11,13 @@ from numpy.typing import NDArray
 from sklearn.base import clone
 
 from silpose.errors import InputError
+from silpose.evaluation import baselines, measure
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.training import Described, Examples, prepare
 from silpose.regression import Candidates, RidgeRegressor
 from silpose.run import Run
 from silpose.tracking import (
+    Estimate,
     PointTracker,
     SecondOrderDynamics,
     Selection,
@@ -26,6 +29,8 @@ from silpose.tracking import (
 )
 
 Array = NDArray[np.float64]
+
+GIVEN = 2  # first true poses, which trackers of a single pose begin with
 
 
 @dataclass(frozen=True)
@@ -85,12 +90,29 @@ class Learnt:
         """Frames that may be waited for."""
         return round(self.settings.tracker.lag * self.selection.frames_per_second)
 
+    def follow(self, estimators: Mapping[str, Estimate]) -> dict[str, list[Array]]:
+        """Estimate the poses of each test sequence, its first true ones at hand."""
+        return {
+            method: [estimate(z, x[:GIVEN]) for z, x in self.described.test]
+            for method, estimate in estimators.items()
+        }
+
+    def measure(self, tracks: Mapping[str, list[Array]]) -> dict[str, dict[str, float]]:
+        """Errors of baselines and `tracks` over the frames of which nobody is given the pose."""
+        described, space = self.described, self.described.data.space
+        unknown = [(z[GIVEN:], x[GIVEN:]) for z, x in described.test]
+        z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
+        z, x = (np.concatenate(part) for part in zip(*unknown, strict=True))
+        estimates = baselines(space, z_train, x_train, z, x)
+        estimates |= {m: np.concatenate([e[GIVEN:] for e in own]) for m, own in tracks.items()}
+        return {m: measure(space, x, e, x_train) for m, e in estimates.items()}
+
 
 def learn_to_track(rooms: Rooms, run: Run) -> Learnt:
     """Prepare the data."""
     described = prepare(rooms, run)
     shortest = min((len(x) for _, x in described.test), default=0)
-    if shortest < 3:
+    if shortest <= GIVEN:
         raise InputError(f"a test sequence of {shortest} frames is too short to be tracked")
     rate = described.data.test[0].frames_per_second
     selection = Selection(

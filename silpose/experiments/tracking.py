@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.evaluation import baselines, measure, thigh_swing
+from silpose.evaluation import thigh_swing
 from silpose.experiments.figures import ESTIMATED, TRUE
 from silpose.experiments.rooms import Rooms
 from silpose.experiments.trackers import Learnt, learn_to_track
@@ -27,7 +27,7 @@ def tracking(rooms: Rooms, run: Run) -> None:
     """Track a person through unseen sequences, beside everything else that smooths.
 
     The trackers that carry a single pose are given the first two true ones, as in the paper; the
-    belief trackers start by themselves.
+    belief trackers start by themselves. These two frames count for none.
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def tracking(rooms: Rooms, run: Run) -> None:
     run : Run
     """
     learnt = learn_to_track(rooms, run)
-    described, space = learnt.described, learnt.described.data.space
+    described = learnt.described
     with run.stage("tracking"):
         estimators = {
             "ridge": lambda z, _: learnt.ridge.predict(z),
@@ -45,12 +45,9 @@ def tracking(rooms: Rooms, run: Run) -> None:
             "tracker": lambda z, _: learnt.tracker.track(z).x,
             "tracker_lag": lambda z, _: learnt.tracker.track(z, lag=learnt.lag).x,
         }
-        tracks = {
-            method: [estimate(z, x[:2]) for z, x in described.test]
-            for method, estimate in estimators.items()
-        }
+        tracks = learnt.follow(estimators)
     with run.stage("evaluation"):
-        metrics = _measure(described.train, described.test, tracks, space)
+        metrics = learnt.measure(tracks)
         metrics["joint"]["kept"] = learnt.joint.regressor.kept_
         metrics["tracker"]["kept"] = metrics["tracker_lag"]["kept"] = learnt.tracker.kept_
     first = {method: of_sequences[0] for method, of_sequences in tracks.items()}
@@ -59,20 +56,6 @@ def tracking(rooms: Rooms, run: Run) -> None:
     run.write_settings()
     run.write_results([*learnt.selection.rows, *tidy(metrics)])
     run.write_metrics(described.data.name, rooms.seed, metrics)
-
-
-def _measure(
-    train: list[tuple[Array, Array]],
-    test: list[tuple[Array, Array]],
-    tracks: Mapping[str, list[Array]],
-    space: PoseSpace,
-) -> dict[str, dict[str, float]]:
-    """Errors over all test sequences, baselines first."""
-    z_train, x_train = (np.concatenate(part) for part in zip(*train, strict=True))
-    z, x = (np.concatenate(part) for part in zip(*test, strict=True))
-    estimates = baselines(space, z_train, x_train, z, x)
-    estimates |= {method: np.concatenate(parts) for method, parts in tracks.items()}
-    return {m: measure(space, x, e, x_train) for m, e in estimates.items()}
 
 
 def _write(

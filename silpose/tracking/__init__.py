@@ -20,9 +20,9 @@ from silpose.tracking.choose import (
 )
 from silpose.tracking.choose_hypotheses import choose_hypotheses
 from silpose.tracking.dynamics import SecondOrderDynamics
-from silpose.tracking.multiple_hypothesis import ManyTracks, MultipleHypothesisTracker
+from silpose.tracking.multiple_hypothesis import MultipleHypothesisTracker
 from silpose.tracking.point import PointTracker
-from silpose.tracking.selection import Selection
+from silpose.tracking.selection import Estimate, Selection
 from silpose.tracking.settings import (
     DynamicsSettings,
     HypothesesSettings,
@@ -31,16 +31,20 @@ from silpose.tracking.settings import (
     TrackerSettings,
     TrackingSettings,
 )
+from silpose.tracking.stacking import AnyTracker
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
-from silpose.tracking.tracker import Track, Tracker
+from silpose.tracking.tracker import Tracker
+from silpose.tracking.tracks import ManyTracks, Track
 
-TRACKERS: dict[str, type[Tracker] | type[MultipleHypothesisTracker]] = {
+TRACKERS: dict[str, type[AnyTracker]] = {
     kind.__name__: kind for kind in (Tracker, MultipleHypothesisTracker)
 }
 
 __all__ = [
     "TRACKERS",
+    "AnyTracker",
     "DynamicsSettings",
+    "Estimate",
     "HypothesesSettings",
     "JointSettings",
     "ManyTracks",

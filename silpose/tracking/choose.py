@@ -28,7 +28,7 @@ from silpose.tracking.settings import (
     RivalSettings,
     TrackerSettings,
 )
-from silpose.tracking.stacking import stacked_shares
+from silpose.tracking.stacking import shares_of
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
 from silpose.tracking.tracker import Tracker
 
@@ -75,12 +75,9 @@ def choose_tracker(selection: Selection, settings: TrackerSettings) -> Tracker:
         "damping": settings.damping,
     }
     best = selection.best("tracker", grid, family)
-    given = {"heading_alone": settings.heading_alone, "body_alone": settings.body_alone}
-    shares = {name: share for name, share in given.items() if share is not None}
-    if len(shares) < len(given):
-        stacked = stacked_shares(selection, lambda some: tracker(**best).take(key_poses(some)))
-        shares = stacked | shares
-        selection.rows.append({"method": "tracker", **best, **shares})
+    shares = shares_of(
+        "tracker", settings, selection, lambda some: tracker(**best).take(key_poses(some))
+    )
     return tracker(**best, **shares).fit(selection.train)
 
 

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from sklearn.base import clone
 
 from silpose.regression import MixtureOfRegressors
 from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.tracking.key_poses import KeyPoses
 from silpose.tracking.multiple_hypothesis import MultipleHypothesisTracker
 from silpose.tracking.selection import FEW_KEY_POSES, Examples, Maker, Selection
 from silpose.tracking.settings import HypothesesSettings
+from silpose.tracking.stacking import shares_of
+
+Array = NDArray[np.float64]
 
 
 def choose_hypotheses(
@@ -18,7 +23,7 @@ def choose_hypotheses(
     mixture: MixtureOfRegressors,
     dynamics: SecondOrderDynamics,
 ) -> MultipleHypothesisTracker:
-    """Fit the tracker whose settings are best when it may not wait, and nobody tells the start.
+    """Fit the tracker whose settings, then shares are best causally, with no start given.
 
     Parameters
     ----------
@@ -28,7 +33,9 @@ def choose_hypotheses(
         Fitted to all training sequences, with settings that are chosen already.
     """
 
-    def tracker(keep: float = settings.keep, **chosen: float) -> MultipleHypothesisTracker:
+    def tracker(
+        keep: float = settings.keep, body_alone: float = 0.0, **chosen: float
+    ) -> MultipleHypothesisTracker:
         return MultipleHypothesisTracker(
             clone(mixture),
             clone(dynamics),
@@ -39,20 +46,29 @@ def choose_hypotheses(
             pose_width=settings.pose_width,
             descriptor_width=settings.descriptor_width,
             damping=settings.damping,
+            body_alone=body_alone,
             frames_per_second=selection.frames_per_second,
             random_state=settings.random_state,
             **chosen,
         )
 
-    def family(learnt: Examples) -> Maker:
+    def fitted(
+        learnt: Examples,
+    ) -> tuple[MixtureOfRegressors, SecondOrderDynamics, KeyPoses, list[Array]]:
         z, x = (np.concatenate(part) for part in zip(*learnt, strict=True))
         poses = [own for _, own in learnt]
-        keys = tracker(keep=min(settings.keep, FEW_KEY_POSES / len(x))).key_poses(learnt)
-        fitted = clone(mixture).fit(z, x), clone(dynamics).fit(poses), keys, poses
-        return lambda **chosen: lambda z, _: tracker(**chosen).take(*fitted).track(z, modes=1).x
+        keys = tracker(min(settings.keep, FEW_KEY_POSES / len(x))).key_poses(learnt)
+        return clone(mixture).fit(z, x), clone(dynamics).fit(poses), keys, poses
+
+    def family(learnt: Examples) -> Maker:
+        own = fitted(learnt)
+        return lambda **chosen: lambda z, _: tracker(**chosen).take(*own).track(z, modes=1).x
 
     grid = {"drift": settings.drift, "trust": settings.trust, "past": settings.past}
     best = selection.best("hypotheses", grid, family)
-    chosen = tracker(**best)
+    shares = shares_of(
+        "hypotheses", settings, selection, lambda some: tracker(**best).take(*fitted(some))
+    )
+    chosen = tracker(**best, **shares)
     keys = chosen.key_poses(selection.train)
     return chosen.take(mixture, dynamics, keys, [x for _, x in selection.train])

@@ -58,7 +58,7 @@ class HypothesisFilter:
     expected : Expectations
     length : int
         Of the paths that are kept, frames.
-    seed : int
+    seed : int or None
 
     Attributes
     ----------
@@ -68,7 +68,7 @@ class HypothesisFilter:
         Probabilities, the largest first, and poses.
     """
 
-    def __init__(self, expected: Expectations, length: int, seed: int) -> None:
+    def __init__(self, expected: Expectations, length: int, seed: int | None) -> None:
         self._expected, self._length = expected, length
         self._random = np.random.default_rng(seed)
         self.state, self._unseen = "starting", 0

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.tracking.key_poses import KeyExamples, kernel
+from silpose.tracking.key_poses import KeyExamples, Sight, kernel
 
 Array = NDArray[np.float64]
 
@@ -48,37 +48,28 @@ def regress_locally(
     return pose + change
 
 
-def regress_around(
-    rough: Array,
-    z: Array,
-    examples: KeyExamples,
-    pose_width: float,
-    descriptor_width: float,
-    damping: float,
+def weights_around(
+    rough: Array, sight: Sight, examples: KeyExamples, pose_width: float, descriptor_width: float
 ) -> Array:
-    """Estimate a pose that is known roughly from what is seen.
+    """Weigh key poses by a pose that is known roughly, and by what is seen.
 
-    The kernels K_x(x̌, x_k) K_z(z, z_k) of Eq. 10, normalised, weigh the examples. So the rough
-    pose x̌ settles which of the poses that look alike is meant, and the silhouette where between
-    key poses it lies.
+    The kernels K_x(x̌, x_k) K_z(z, z_k) of Eq. 10, normalised: the rough pose x̌ settles which of
+    the poses that look alike is meant.
 
     Parameters
     ----------
-    rough : ndarray, shape (D,)
-    z : ndarray, shape (d,)
-        Not blank.
+    rough : ndarray, shape (F, D)
+    sight : Sight
+        Of as many frames.
     examples : KeyExamples
-    pose_width, descriptor_width, damping : float
-        As `Tracker` explains them.
+    pose_width, descriptor_width : float
+        Standard deviations of the kernels.
 
     Returns
     -------
-    pose : ndarray, shape (D,)
+    weights : ndarray, shape (F, K)
+        Each frame's sum to 1.
     """
-    sight = examples.see(z[None])
-    distances = examples.pose_distances(rough[None]) / pose_width**2
-    weights = kernel(distances + sight.distances / descriptor_width**2, 1.0)[0]
-    weights /= weights.sum()
-    seen = sight.descriptors[0]
-    pose = regress_locally(weights, examples.poses, examples.descriptors, seen, damping)
-    return pose * examples.scale + examples.mean
+    distances = examples.pose_distances(rough) / pose_width**2
+    weights = kernel(distances + sight.distances / descriptor_width**2, 1.0)
+    return weights / weights.sum(axis=1, keepdims=True)

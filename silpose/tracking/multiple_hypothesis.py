@@ -12,51 +12,30 @@ pose, around which the estimate is regressed on the silhouette.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from sklearn.base import BaseEstimator, clone
+from sklearn.base import clone
 from sklearn.utils.validation import check_is_fitted
 
 from silpose.errors import InputError
-from silpose.pose import SPACES
 from silpose.regression import MixtureOfRegressors
 from silpose.regression.saved_mixture import mixture_from, mixture_state
-from silpose.saved import State, part, plain, restored, state_of, under
+from silpose.saved import State, part, restored, state_of, under
 from silpose.tracking.dynamics import LEARNT_DYNAMICS, SecondOrderDynamics
 from silpose.tracking.frame_rate import check_rate
 from silpose.tracking.hypotheses import Components
 from silpose.tracking.hypothesis_filter import MODES, Expectations, HypothesisFilter
-from silpose.tracking.key_poses import KeyExamples, KeyPoses
-from silpose.tracking.local_regression import regress_around
+from silpose.tracking.key_pose_tracker import KeyPoseTracker
+from silpose.tracking.key_poses import Examples, KeyPoses
+from silpose.tracking.local_regression import weights_around
+from silpose.tracking.tracks import ManyTracks
 
 Array = NDArray[np.float64]
-Examples = Sequence[tuple[Array, Array]]
 
 
-@dataclass(frozen=True)
-class ManyTracks:
-    """A sequence's estimates, several for each frame.
-
-    Attributes
-    ----------
-    x : ndarray, shape (F, D)
-        Regressed around the most probable mode.
-    state : list of str
-        One of `belief.STATES` for each frame.
-    weights : ndarray, shape (F, k)
-        Of the hypotheses' modes, the most probable first; 0 where there are less.
-    means : ndarray, shape (F, k, D)
-    """
-
-    x: Array
-    state: list[str]
-    weights: Array
-    means: Array
-
-
-class MultipleHypothesisTracker(BaseEstimator):
+class MultipleHypothesisTracker(KeyPoseTracker):
     """Tracks a person through descriptors, on several paths until one proves right.
 
     Parameters
@@ -79,11 +58,11 @@ class MultipleHypothesisTracker(BaseEstimator):
     surprise : float
         Log of how many times likelier than by any hypothesis what is seen has to be by none of
         them, for the track to count as lost. Then `fresh` is one half.
-    keep, pose_width, descriptor_width, damping : float
+    keep, pose_width, descriptor_width, damping, heading_alone, body_alone : float
         Of the regression around the most probable mode, as `Tracker` explains them.
     frames_per_second : float
         Of the training sequences, and of what is tracked.
-    random_state : int
+    random_state : int or None
 
     Attributes
     ----------
@@ -91,6 +70,7 @@ class MultipleHypothesisTracker(BaseEstimator):
         Fitted.
     examples_ : KeyExamples
         Key poses and their descriptors.
+    silhouette_alone_ : SilhouetteRegressor
     mean_, variance_ : ndarray, shape (D,)
         Of training poses.
     typical_ : ndarray, shape (D,)
@@ -98,6 +78,8 @@ class MultipleHypothesisTracker(BaseEstimator):
     noise_ : ndarray, shape (D,)
         Variance of a prediction, the diagonal of Q.
     """
+
+    _learnt = ("mean_", "variance_", "typical_", "noise_")
 
     def __init__(
         self,
@@ -114,8 +96,10 @@ class MultipleHypothesisTracker(BaseEstimator):
         pose_width: float = 0.5,
         descriptor_width: float = 1.0,
         damping: float = 4.0,
+        heading_alone: float = 0.0,
+        body_alone: float = 0.1,
         frames_per_second: float = 15.0,
-        random_state: int = 0,
+        random_state: int | None = 0,
     ) -> None:
         self.mixture = mixture
         self.dynamics = dynamics
@@ -130,10 +114,12 @@ class MultipleHypothesisTracker(BaseEstimator):
         self.pose_width = pose_width
         self.descriptor_width = descriptor_width
         self.damping = damping
+        self.heading_alone = heading_alone
+        self.body_alone = body_alone
         self.frames_per_second = frames_per_second
         self.random_state = random_state
 
-    def fit(self, sequences: Examples, y: object = None) -> MultipleHypothesisTracker:
+    def fit(self, sequences: Examples, y: object = None) -> Self:
         """Learn the mixture and the dynamics.
 
         Parameters
@@ -147,26 +133,23 @@ class MultipleHypothesisTracker(BaseEstimator):
         dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(takes)
         return self.take(mixture, dynamics, self.key_poses(sequences), takes)
 
-    def key_poses(self, sequences: Examples) -> KeyPoses:
-        """Cluster the poses of training sequences ``(z, x)``."""
-        return KeyPoses.of(sequences, SPACES[self.space], self.keep, self.random_state)
-
     def take(
         self,
         mixture: MixtureOfRegressors,
         dynamics: SecondOrderDynamics,
         keys: KeyPoses,
         poses: Sequence[Array],
-    ) -> MultipleHypothesisTracker:
+    ) -> Self:
         """Use what was fitted already, to takes of these poses, each (F, D)."""
-        for name in ("count", "drift", "trust", "pose_width", "descriptor_width", "damping"):
+        for name in ("count", "drift", "trust"):
             if not getattr(self, name) > 0:
                 raise InputError(f"{name} must be positive, not {getattr(self, name)}")
         if not 0 <= self.past < 1:
             raise InputError(f"past is a share below 1, not {self.past}")
         if not 0 < self.fresh < 1:
             raise InputError(f"fresh is a probability between 0 and 1, not {self.fresh}")
-        self.mixture_, self.dynamics_, self.examples_ = mixture, dynamics, keys.examples
+        self._compare_with(keys)
+        self.mixture_, self.dynamics_ = mixture, dynamics
         every = np.concatenate(poses)
         self.mean_, self.variance_ = every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9)
         off = [x[2:] - dynamics.predict(x[1:-1], x[:-2]) for x in poses if len(x) > 2]
@@ -224,11 +207,10 @@ class MultipleHypothesisTracker(BaseEstimator):
         revised = np.array(later[lag:])
         weights, means = map(np.array, zip(*several, strict=True))
         x = np.where(np.isnan(revised), now, revised)
-        for frame in range(len(given), len(z)):
-            x[frame] = self._regressed(x[frame], z[frame])
+        x[len(given) :] = self._refined(x[len(given) :], z[len(given) :])
         return ManyTracks(x, states, weights, means)
 
-    def start(self, initial: ArrayLike | None = None, lag: int = 0) -> MultipleHypothesisTracker:
+    def start(self, initial: ArrayLike | None = None, lag: int = 0) -> Self:
         """Forget what `step` has seen.
 
         Parameters
@@ -253,16 +235,20 @@ class MultipleHypothesisTracker(BaseEstimator):
         check_is_fitted(self)
         z = np.asarray(z, dtype=float)
         self._advance(z)
-        return self._regressed(self._run.estimate(), z), self._run.state
+        return self._refined(self._run.estimate()[None], z[None])[0], self._run.state
 
     def _advance(self, z: Array) -> None:
         self._run.step(Components(*self.mixture_.answers(z)) if np.isfinite(z).all() else None)
 
-    def _regressed(self, rough: Array, z: Array) -> Array:
-        if not np.isfinite(z).all():
-            return rough
-        widths = self.pose_width, self.descriptor_width, self.damping
-        return regress_around(rough, z, self.examples_, *widths)
+    def _refined(self, rough: Array, z: Array) -> Array:
+        """Regress around rough poses (F, D) where there was something to see."""
+        x, seen = rough.copy(), np.isfinite(z).all(axis=1)
+        if seen.any():
+            sight, widths = self.examples_.see(z[seen]), (self.pose_width, self.descriptor_width)
+            x[seen] = self._regressed(
+                weights_around(rough[seen], sight, self.examples_, *widths), sight
+            )
+        return x
 
     def modes(self, k: int) -> tuple[Array, Array]:
         """Give up to 8 modes of the hypotheses after a step: weights (k,) and poses (k, D).
@@ -274,21 +260,14 @@ class MultipleHypothesisTracker(BaseEstimator):
 
     def state(self) -> State:
         """Give parameters and what was learnt, as arrays, numbers and words."""
-        check_is_fitted(self)
-        own = state_of(self, _LEARNT)
-        dynamics = state_of(self.dynamics_, LEARNT_DYNAMICS)
-        own |= under("mixture", mixture_state(self.mixture_)) | under("dynamics", dynamics)
-        return own | under("examples", asdict(self.examples_))
+        own = super().state() | under("mixture", mixture_state(self.mixture_))
+        return own | under("dynamics", state_of(self.dynamics_, LEARNT_DYNAMICS))
 
     @classmethod
-    def from_state(cls, state: State) -> MultipleHypothesisTracker:
+    def from_state(cls, state: State) -> Self:
         """Restore what `state` gave."""
-        tracker = restored(cls, state, _LEARNT)
+        tracker = super().from_state(state)
         tracker.mixture_ = mixture_from(part("mixture", state))
         dynamics = part("dynamics", state)
         tracker.dynamics_ = restored(SecondOrderDynamics, dynamics, LEARNT_DYNAMICS)
-        tracker.examples_ = KeyExamples(**plain(part("examples", state)))
         return tracker.start()
-
-
-_LEARNT = ("mean_", "variance_", "typical_", "noise_")

@@ -17,6 +17,13 @@ def _check(settings: object, group: str, *names: str) -> None:
             raise InputError(f"tracking.{group}.{name} is to be positive numbers, not {value!r}")
 
 
+def _check_shares(settings: TrackerSettings | HypothesesSettings, group: str) -> None:
+    for name in ("heading_alone", "body_alone"):
+        share = getattr(settings, name)
+        if share is not None and not 0 <= share <= 1:
+            raise InputError(f"tracking.{group}.{name} is a share from 0 to 1, not {share}")
+
+
 @dataclass(frozen=True)
 class TrackerSettings:
     """Of `Tracker`, and the seconds that it may wait where it may wait.
@@ -36,10 +43,7 @@ class TrackerSettings:
 
     def __post_init__(self) -> None:
         _check(self, "tracker", "keep", "pose_width", "descriptor_width", "damping")
-        for name in ("heading_alone", "body_alone"):
-            share = getattr(self, name)
-            if share is not None and not 0 <= share <= 1:
-                raise InputError(f"tracking.tracker.{name} is a share from 0 to 1, not {share}")
+        _check_shares(self, "tracker")
         if not self.lag >= 0:
             raise InputError(f"tracking.tracker.lag is 0 or more seconds, not {self.lag}")
 
@@ -75,7 +79,7 @@ class JointSettings:
 
 @dataclass(frozen=True)
 class HypothesesSettings:
-    """Of `MultipleHypothesisTracker`."""
+    """Of `MultipleHypothesisTracker`; shares as those of `TrackerSettings`."""
 
     count: int = 200
     drift: Values = 0.3
@@ -86,11 +90,14 @@ class HypothesesSettings:
     pose_width: float = 0.5
     descriptor_width: float = 1.0
     damping: float = 4.0
-    random_state: int = 0
+    heading_alone: float | None = None
+    body_alone: float | None = None
+    random_state: int | None = 0
 
     def __post_init__(self) -> None:
         _check(self, "hypotheses", "count", "drift", "trust", "past", "fresh")
         _check(self, "hypotheses", "keep", "pose_width", "descriptor_width", "damping")
+        _check_shares(self, "hypotheses")
 
 
 @dataclass(frozen=True)

@@ -8,15 +8,51 @@ import numpy as np
 from numpy.typing import NDArray
 
 from silpose.progress import bar
+from silpose.tracking.multiple_hypothesis import MultipleHypothesisTracker
 from silpose.tracking.selection import Examples, Selection
+from silpose.tracking.settings import HypothesesSettings, TrackerSettings
 from silpose.tracking.tracker import Tracker
 
 Array = NDArray[np.float64]
+AnyTracker = Tracker | MultipleHypothesisTracker
 
 _PARTS = {"heading_alone": slice(0, 2), "body_alone": slice(2, None)}  # columns of a pose
 
 
-def stacked_shares(selection: Selection, fitted: Callable[[Examples], Tracker]) -> dict[str, float]:
+def shares_of(
+    method: str,
+    settings: TrackerSettings | HypothesesSettings,
+    selection: Selection,
+    fitted: Callable[[Examples], AnyTracker],
+) -> dict[str, float]:
+    """Shares of the heading and of the body: those that are given, else stacked.
+
+    Parameters
+    ----------
+    method : str
+        For the selection's account.
+    settings : TrackerSettings or HypothesesSettings
+    selection : Selection
+    fitted : callable
+        From sequences to a tracker fitted to them.
+
+    Returns
+    -------
+    shares : dict
+        ``heading_alone`` and ``body_alone``, each from 0 to 1.
+    """
+    given = {name: getattr(settings, name) for name in _PARTS}
+    known = {name: share for name, share in given.items() if share is not None}
+    if len(known) == len(given):
+        return known
+    shares = stacked_shares(selection, fitted) | known
+    selection.rows.append({"method": method, **shares})
+    return shares
+
+
+def stacked_shares(
+    selection: Selection, fitted: Callable[[Examples], AnyTracker]
+) -> dict[str, float]:
     """Shares, of the heading and of the body, that leave the least squares on held-out sequences.
 
     The squares of a fold count in units of what the tracker itself leaves there: a sequence that
@@ -50,7 +86,7 @@ def stacked_shares(selection: Selection, fitted: Callable[[Examples], Tracker]) 
     return {n: min(max(gain[n] / cost[n], 0.0), 1.0) if cost[n] > 0 else 0.0 for n in _PARTS}
 
 
-def _tracked(tracker: Tracker, sequences: Examples, share: float) -> Array:
+def _tracked(tracker: AnyTracker, sequences: Examples, share: float) -> Array:
     """Estimates of all frames, if this share is regressed on the silhouette alone."""
     tracker.set_params(heading_alone=share, body_alone=share)
     return np.concatenate([tracker.track(z).x for z, _ in sequences])

@@ -13,46 +13,26 @@ estimate is regressed on the silhouette alone.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
 from silpose.errors import InputError
-from silpose.pose import SPACES
-from silpose.saved import State, part, plain, restored, state_of, under
+from silpose.saved import State
 from silpose.tracking.belief import Filter, reversed_time, revise
 from silpose.tracking.frame_rate import check_rate
-from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoses, Sight, kernel
-from silpose.tracking.local_regression import regress_locally
-from silpose.tracking.silhouette_alone import SilhouetteRegressor
+from silpose.tracking.key_pose_tracker import KeyPoseTracker
+from silpose.tracking.key_poses import Examples, KeyPoses, Sight, kernel
+from silpose.tracking.tracks import Track
 
 Array = NDArray[np.float64]
 
 _TOLERATED = 2.0  # surprise that is borne, relative to the largest in training
 
 
-@dataclass(frozen=True)
-class Track:
-    """A sequence's estimates.
-
-    Attributes
-    ----------
-    x : ndarray, shape (F, D)
-    state : list of str
-        One of `belief.STATES` for each frame.
-    beliefs : ndarray, shape (F, K)
-        Over key poses: the activations of the state-sensitive basis, summing to 1.
-    """
-
-    x: Array
-    state: list[str]
-    beliefs: Array
-
-
-class Tracker(BaseEstimator):
+class Tracker(KeyPoseTracker):
     """Tracks a person through descriptors.
 
     Parameters
@@ -92,6 +72,8 @@ class Tracker(BaseEstimator):
         Surprise beyond which the track counts as lost.
     """
 
+    _learnt = ("transitions_", "sizes_", "kept_", "tolerance_")
+
     def __init__(
         self,
         space: str = "angles",
@@ -116,7 +98,7 @@ class Tracker(BaseEstimator):
         self.frames_per_second = frames_per_second
         self.random_state = random_state
 
-    def fit(self, sequences: Examples, y: object = None) -> Tracker:
+    def fit(self, sequences: Examples, y: object = None) -> Self:
         """Learn key poses and how they follow one another.
 
         Parameters
@@ -134,21 +116,11 @@ class Tracker(BaseEstimator):
         self.tolerance_ = _TOLERATED * max(surprises)
         return self.start()
 
-    def key_poses(self, sequences: Examples) -> KeyPoses:
-        """Cluster the poses of training sequences ``(z, x)``."""
-        return KeyPoses.of(sequences, SPACES[self.space], self.keep, self.random_state)
-
-    def take(self, keys: KeyPoses) -> Tracker:
+    def take(self, keys: KeyPoses) -> Self:
         """Fit the kernels' widths to key poses at hand, so that these serve many widths."""
-        for name in ("pose_width", "descriptor_width", "damping"):
-            if not getattr(self, name) > 0:
-                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
-        for name in ("heading_alone", "body_alone"):
-            if not 0 <= getattr(self, name) <= 1:
-                raise InputError(f"{name} is a share from 0 to 1, not {getattr(self, name)}")
         if not 0 <= self.restart < 1:
             raise InputError(f"restart is a probability below 1, not {self.restart}")
-        self.examples_, self.silhouette_alone_ = keys.examples, keys.silhouette_alone
+        self._compare_with(keys)
         self.transitions_ = keys.transitions(self.pose_width, self.restart)
         self.sizes_ = keys.sizes
         self.kept_ = len(keys.sizes) / len(keys.following)
@@ -198,7 +170,7 @@ class Tracker(BaseEstimator):
         beliefs, states = np.array([belief for belief, _ in steps]), [state for _, state in steps]
         if lag:
             beliefs = revise(beliefs, likelihoods, transitions, lag)
-        x = self._estimate(beliefs, sight)
+        x = self._regressed(beliefs, sight)
         if initial is not None:
             given = np.asarray(initial, dtype=float)[: len(x)]
             x[: len(given)] = given
@@ -206,7 +178,7 @@ class Tracker(BaseEstimator):
             return Track(x[::-1], states[::-1], beliefs[::-1])
         return Track(x, states, beliefs)
 
-    def start(self, initial: ArrayLike | None = None) -> Tracker:
+    def start(self, initial: ArrayLike | None = None) -> Self:
         """Forget what `step` has seen; `initial (P, D)` are poses of the frames before the next."""
         self._run = self._filter(self.transitions_)
         if initial is not None:
@@ -219,7 +191,7 @@ class Tracker(BaseEstimator):
         check_is_fitted(self)
         sight = self.examples_.see(np.asarray(z, dtype=float)[None])
         belief, state = self._run.step(self._likelihoods(sight)[0], bool(sight.blank[0]))
-        return self._estimate(belief[None], sight)[0], state
+        return self._regressed(belief[None], sight)[0], state
 
     def _filter(self, transitions: Array) -> Filter:
         prior, headings = self.sizes_ / self.sizes_.sum(), self.examples_.headings
@@ -234,32 +206,7 @@ class Tracker(BaseEstimator):
         known = np.atleast_2d(np.asarray(poses, dtype=float))
         return kernel(self.examples_.pose_distances(known), self.pose_width)
 
-    def _estimate(self, beliefs: Array, sight: Sight) -> Array:
-        own, seen = self.examples_, ~sight.blank
-        rows = zip(beliefs, sight.descriptors, strict=True)
-        poses = np.array(
-            [regress_locally(b, own.poses, own.descriptors, z, self.damping) for b, z in rows]
-        )
-        alone, distances = self.silhouette_alone_, sight.distances[seen]
-        share = np.full(len(own.mean), self.body_alone)
-        share[:2] = self.heading_alone
-        poses[seen] += share * alone.trust(distances) * (alone.predict(distances) - poses[seen])
-        return poses * own.scale + own.mean
-
-    def state(self) -> State:
-        """Give parameters and what was learnt, as arrays and numbers."""
-        check_is_fitted(self)
-        own = state_of(self, _LEARNT) | under("examples", asdict(self.examples_))
-        return own | under("silhouette_alone", asdict(self.silhouette_alone_))
-
     @classmethod
-    def from_state(cls, state: State) -> Tracker:
+    def from_state(cls, state: State) -> Self:
         """Restore what `state` gave."""
-        tracker = restored(cls, state, _LEARNT)
-        tracker.examples_ = KeyExamples(**plain(part("examples", state)))
-        alone = plain(part("silhouette_alone", state))
-        tracker.silhouette_alone_ = SilhouetteRegressor(**alone)
-        return tracker.start()
-
-
-_LEARNT = ("transitions_", "sizes_", "kept_", "tolerance_")
+        return super().from_state(state).start()

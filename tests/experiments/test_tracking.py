@@ -1,6 +1,7 @@
 """The experiments of section V: Figs. 12 to 15, tolerance, initialisation."""
 
 import csv
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -8,6 +9,8 @@ import pytest
 import silpose
 from silpose.app import run_experiment
 from silpose.config import load
+from silpose.experiments.trackers import Learnt
+from silpose.pose import ANGLES
 from silpose.tracking.belief import STATES
 
 FAST = (
@@ -26,6 +29,17 @@ FAST = (
     "tracking.rivals.viterbi_weight=3",
     "tracking.rivals.fusion=0.4",
 )
+
+
+def test_poses_that_are_given_are_no_merit():
+    x = ANGLES.from_angles(np.random.default_rng(0).normal(0, 20, (9, 54)))
+    takes = [(np.ones((9, 4)), x), (np.ones((6, 4)), x[:6])]
+    described = SimpleNamespace(data=SimpleNamespace(space=ANGLES), train=takes, test=takes)
+    learnt = Learnt(described, None, None, None)
+    tracks = learnt.follow({"repeats": lambda z, start: np.repeat(start[-1:], len(z), axis=0)})
+    error = learnt.measure(tracks)["repeats"]["mean_angular_error_deg"]
+    unknown = np.concatenate([x[2:], x[2:6]])
+    assert error == pytest.approx(ANGLES.distance(unknown, x[1:2].repeat(11, axis=0)).mean())
 
 
 def test_tracking_sets_trackers_beside_their_rivals(study, tmp_path, sequence, mask_folder):

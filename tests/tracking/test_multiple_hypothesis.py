@@ -15,6 +15,11 @@ def heading_off(x, estimated):
     return np.abs((ANGLES.heading(x) - ANGLES.heading(estimated) + 180) % 360 - 180)
 
 
+def clone_with(tracker, **settings):
+    state = {name: np.asarray(value) for name, value in tracker.state().items()}
+    return MultipleHypothesisTracker.from_state(state).set_params(**settings)
+
+
 @pytest.fixture(scope="module")
 def tracker(takes):
     mixture = MixtureOfRegressors(60, 30, temperature=4, hellinger=True, units=ANGLES.units)
@@ -41,6 +46,18 @@ def test_what_comes_later_revises_what_was_thought(tracker, unseen):
     now, later = tracker.track(z), tracker.track(z, lag=5)
     assert ANGLES.distance(x, later.x).mean() < ANGLES.distance(x, now.x).mean()
     assert later.x[-1] == pytest.approx(now.x[-1])
+
+
+def test_a_share_is_regressed_on_the_silhouette_alone(tracker, unseen):
+    z, _ = unseen
+    several = [
+        clone_with(tracker, heading_alone=heading, body_alone=body).track(z).x
+        for heading, body in ((0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (1.0, 1.0))
+    ]
+    none, heading, both, whole = several
+    assert heading[:, :2] == pytest.approx((none + whole)[:, :2] / 2)
+    assert heading[:, 2:] == pytest.approx(none[:, 2:])
+    assert both == pytest.approx((none + whole) / 2)
 
 
 def test_modes_are_probabilities_of_poses(tracker, unseen):
@@ -118,7 +135,8 @@ def test_evidence_is_a_gaussian_of_both_variances():
 
 
 @pytest.mark.parametrize(
-    ("setting", "value"), [("count", 0), ("drift", 0), ("trust", -1), ("past", 1), ("fresh", 1)]
+    ("setting", "value"),
+    [("count", 0), ("drift", 0), ("trust", -1), ("past", 1), ("fresh", 1), ("body_alone", 2)],
 )
 def test_settings_out_of_range_are_refused(takes, setting, value):
     with pytest.raises(InputError, match=setting):

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from silpose.pose import ANGLES
-from silpose.tracking import Selection, Tracker
-from silpose.tracking.stacking import stacked_shares
+from silpose.tracking import HypothesesSettings, Selection, Tracker, TrackerSettings
+from silpose.tracking.stacking import shares_of, stacked_shares
 
 WIDTHS = {"keep": 0.3, "pose_width": 0.4, "descriptor_width": 0.8}
 
@@ -49,3 +49,15 @@ def test_a_share_is_what_evens_errors_out(selection, alone, share):
     only = Selection(selection.train, nowhere, ANGLES, 15.0)
     found = stacked_shares(only, lambda learnt: Off(alone=alone))
     assert found == pytest.approx({"heading_alone": share, "body_alone": share})
+
+
+@pytest.mark.parametrize("kind", [TrackerSettings, HypothesesSettings])
+def test_shares_that_are_given_are_not_stacked(selection, kind):
+    whole = kind(heading_alone=0.25, body_alone=0.75)
+    given = {"heading_alone": 0.25, "body_alone": 0.75}
+    assert shares_of("tracker", whole, selection, None) == given
+    assert selection.rows == []
+    half = shares_of("tracker", kind(body_alone=0.75), selection, Tracker(**WIDTHS).fit)
+    stacked = stacked_shares(selection, Tracker(**WIDTHS).fit)
+    assert half == stacked | {"body_alone": 0.75}
+    assert selection.rows == [{"method": "tracker", **half}]
