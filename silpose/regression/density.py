@@ -14,7 +14,7 @@ from silpose.regression.shared import SharedRegressor
 
 Array = NDArray[np.float64]
 
-_BLOCK = 128  # inputs whose components are held at a time
+_BLOCK = 64  # inputs whose components are held at a time
 
 
 @dataclass(frozen=True)
@@ -143,14 +143,14 @@ class ConditionalDensity:
 
     def log_likelihoods(self, seen: Seen, x: Array, columns: NDArray[np.bool_]) -> Array:
         """Log p(x|ψ) of some columns of standardised poses (n, D), shape (n,)."""
-        variances = self.variances()[:, columns]
-        constant = np.log(2 * np.pi * variances).sum(axis=1)
+        variances = self.variances()
+        precisions = np.where(columns, 1 / variances, 0)
+        constant = np.log(2 * np.pi * variances[:, columns]).sum(axis=1)
         found, start = [], 0
         for some in seen.blocks():
             weights, means, _ = self.components(some)
-            means = means[..., columns]
-            true = x[start : start + len(means), None, columns]
-            off = ((true - means) ** 2 / variances).sum(axis=-1)
+            means -= x[start : start + len(means), None]
+            off = np.einsum("nkd,nkd,kd->nk", means, means, precisions)
             found.append(_total(weights - 0.5 * (off + constant))[:, 0])
             start += len(means)
         return np.concatenate(found)
