@@ -32,7 +32,8 @@ def results(run: FinishedRun) -> Table:
     table = Table(title=f"{run.dataset}: errors on unseen sequences", title_justify="left")
     titles, rows = headlines(run.metrics)
     for title in titles:
-        table.add_column(title, justify="left" if title == titles[0] else "right")
+        name = title == titles[0]  # whole, even if titles have to take more lines
+        table.add_column(title, justify="left" if name else "right", no_wrap=name)
     for row in rows:
         table.add_row(*row)
     return table
