@@ -116,11 +116,12 @@ class HypothesisFilter:
         noise = expected.noise * (1 + self._unseen)  # adds up while nothing is seen
         carried = seen.log_evidence(ahead, noise, expected.trust) + np.log(old.weights)[:, None]
         afresh = seen.log_evidence(expected.mean[None], expected.variance, expected.trust)
-        told, new = (np.logaddexp.reduce(part, axis=None) for part in (carried, afresh))
-        lost = len(carried) > 0 and new - told > expected.surprise
-        share = _EVEN if lost else expected.fresh
-        evidence = np.vstack([carried + np.log1p(-share), afresh + np.log(share)])
+        evidence = np.vstack([carried, afresh])
         probabilities = np.exp(evidence - evidence.max())
+        told, new = probabilities[:-1].sum(), probabilities[-1].sum()
+        lost = len(carried) > 0 and new > told * np.exp(expected.surprise)
+        share = _EVEN if lost else expected.fresh
+        probabilities *= np.append(np.full(len(carried), 1 - share), share)[:, None]
         drawn, weights = resampled(probabilities.ravel(), expected.count, self._random)
         which, component = np.divmod(drawn, len(seen.means))
         offered, goes_on = seen.means[component], which < len(ahead)
