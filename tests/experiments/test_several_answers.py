@@ -20,6 +20,15 @@ FAST = (
     "regression.mixture.sharpness=[1,2]",
 )
 
+AUTHORS = (  # what validation chooses on the authors' data
+    "regression.mixture.clusters=60",
+    "regression.mixture.temperature=16",
+    "regression.mixture.noise_width=4",
+    "regression.mixture.shared_width=16",
+    "regression.mixture.shared_temperature=256",
+    "regression.mixture.sharpness=0.7",
+)
+
 TRACKING = (
     "tracking.tracker.pose_width=0.4",
     "tracking.tracker.descriptor_width=1",
@@ -54,16 +63,9 @@ def test_ambiguous_silhouettes_are_counted(study):
 
 def test_on_the_authors_data_the_mixture_reaches_what_is_claimed(study, shared_mocap):
     data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
-    chosen = (
-        "regression.mixture.clusters=60",
-        "regression.mixture.temperature=16",
-        "regression.mixture.noise_width=4",
-        "regression.mixture.shared_width=16",
-        "regression.mixture.shared_temperature=256",
-        "regression.mixture.sharpness=0.7",
-        "gmr=[1]",
+    metrics, _ = study(
+        "mixture", "dataset=agarwal", f"dataset.path={data}", *FAST, *AUTHORS, "gmr=[1]"
     )
-    metrics, _ = study("mixture", "dataset=agarwal", f"dataset.path={data}", *FAST, *chosen)
     error = {method: values["mean_joint_distance"] for method, values in metrics.items()}
     assert error["mixture_top1"] <= error["ridge"]
     assert error["mixture_best4"] < min(1.75, error["neighbours_best4"])
@@ -84,6 +86,25 @@ def test_hypotheses_are_tracked_through_failures(study, tmp_path):
     masks[1:, 20:80, 40:56] = 1
     track = silpose.load(tmp_path / "hypotheses" / "001").track(masks)
     assert track.state[0] == "starting" and np.isfinite(track.x).all()
+
+
+def test_on_the_authors_data_hypotheses_need_no_start(study, shared_mocap):
+    data = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
+    chosen = (
+        "tracking.tracker.pose_width=0.3",
+        "tracking.tracker.descriptor_width=2",
+        "tracking.hypotheses.past=0.85",
+        "tracking.hypotheses.trust=0.03",
+        "trials=20",
+    )
+    settings = *FAST, *AUTHORS, *TRACKING, *chosen
+    metrics, rows = study("hypotheses", "dataset=agarwal", f"dataset.path={data}", *settings)
+    error = {method: values["mean_joint_distance"] for method, values in metrics.items()}
+    assert error["hypotheses"] < 1.1 * error["tracker_given_start"]
+    assert error["hypotheses"] < min(error["joint"], error["ridge"], error["knn"])
+    assert metrics["hypotheses"]["back_after_blank"] >= 0.95
+    assert metrics["hypotheses"]["back_after_cut"] >= 0.95
+    assert any(row["method"] == "hypotheses" and row["body_alone"] for row in rows)
 
 
 def circle(frames):
