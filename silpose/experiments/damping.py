@@ -16,6 +16,7 @@ from silpose.experiments.trackers import learn_to_track
 from silpose.experiments.training import tidy
 from silpose.recording import record_study
 from silpose.run import Run
+from silpose.tracking import GIVEN
 
 Array = NDArray[np.float64]
 
@@ -41,7 +42,7 @@ def damping(rooms: Rooms, run: Run, values: Sequence[float]) -> None:
         for s in [*sorted(values), None]:
             name = "full C" if s is None else f"s={s:g}"
             tracker = learnt.joint_with(linear=s)
-            tracks = [tracker.track(z, x[:2])[0] for z, x in described.test]
+            tracks = [tracker.track(z, x[:GIVEN])[0] for z, x in described.test]
             true = np.concatenate([x for _, x in described.test])
             metrics[name] = measure(space, true, np.concatenate(tracks), x_train)
             series[name] = space.distance(described.test[0][1], tracks[0])

@@ -18,7 +18,7 @@ from silpose.experiments.training import tidy
 from silpose.pose import PoseSpace
 from silpose.recording import record_extinction
 from silpose.run import Run
-from silpose.tracking import PointTracker
+from silpose.tracking import GIVEN, PointTracker
 
 Array = NDArray[np.float64]
 
@@ -56,11 +56,11 @@ def extinction(
                 sequences, centres=kernels, keep_at_most=None, pose_width=chosen * factor**2
             )
             name = "as chosen" if factor == 1 else f"{factor:g} times narrower"
-            tracks[name] = _by_heading(tracker).track(z, x[:2])
+            tracks[name] = _by_heading(tracker).track(z, x[:GIVEN])
     metrics = {
         name: {
             space.metrics[0]: float(space.distance(x, estimated).mean()),
-            "extinct": float((activations[2:].max(axis=1) < 1e-3).mean()),
+            "extinct": float((activations[GIVEN:].max(axis=1) < 1e-3).mean()),
         }
         for name, (estimated, activations) in tracks.items()
     }

@@ -15,10 +15,9 @@ from silpose.experiments.rooms import Rooms
 from silpose.experiments.trackers import Learnt, learn_to_track
 from silpose.recording import record_study
 from silpose.run import Run
-from silpose.tracking import Tracker
+from silpose.tracking import GIVEN, Estimate, Tracker
 
 Array = NDArray[np.float64]
-Estimate = Callable[[Array, Array], Array]
 
 
 def kernel_widths(rooms: Rooms, run: Run, factors: Sequence[float]) -> None:
@@ -43,7 +42,7 @@ def kernel_widths(rooms: Rooms, run: Run, factors: Sequence[float]) -> None:
             for i, on_x in enumerate(factors):
                 for j, on_z in enumerate(factors):
                     estimate = make(on_x, on_z)
-                    errors = [space.distance(x, estimate(z, x[:2])) for z, x in described.test]
+                    errors = [space.distance(x, estimate(z, x[:GIVEN])) for z, x in described.test]
                     grids[method][i, j] = np.concatenate(errors).mean()
                     row = {"method": method, "beta_x_factor": on_x, "beta_z_factor": on_z}
                     rows.append({**row, "error": float(grids[method][i, j])})

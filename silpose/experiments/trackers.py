@@ -17,6 +17,7 @@ from silpose.experiments.training import Described, Examples, prepare
 from silpose.regression import Candidates, RidgeRegressor
 from silpose.run import Run
 from silpose.tracking import (
+    GIVEN,
     Estimate,
     PointTracker,
     SecondOrderDynamics,
@@ -29,8 +30,6 @@ from silpose.tracking import (
 )
 
 Array = NDArray[np.float64]
-
-GIVEN = 2  # first true poses, which trackers of a single pose begin with
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from silpose.tracking.choose_hypotheses import choose_hypotheses
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.multiple_hypothesis import MultipleHypothesisTracker
 from silpose.tracking.point import PointTracker
-from silpose.tracking.selection import Estimate, Selection
+from silpose.tracking.selection import GIVEN, Estimate, Selection
 from silpose.tracking.settings import (
     DynamicsSettings,
     HypothesesSettings,
@@ -41,6 +41,7 @@ TRACKERS: dict[str, type[AnyTracker]] = {
 }
 
 __all__ = [
+    "GIVEN",
     "TRACKERS",
     "AnyTracker",
     "DynamicsSettings",

@@ -121,7 +121,8 @@ class HypothesisFilter:
         told, new = probabilities[:-1].sum(), probabilities[-1].sum()
         lost = len(carried) > 0 and new > told * np.exp(expected.surprise)
         share = _EVEN if lost else expected.fresh
-        probabilities *= np.append(np.full(len(carried), 1 - share), share)[:, None]
+        probabilities[:-1] *= 1 - share
+        probabilities[-1] *= share
         drawn, weights = resampled(probabilities.ravel(), expected.count, self._random)
         which, component = np.divmod(drawn, len(seen.means))
         offered, goes_on = seen.means[component], which < len(ahead)

@@ -39,13 +39,14 @@ class KeyPoseTracker(BaseEstimator):
     body_alone: float
     random_state: int | None
     _learnt: tuple[str, ...]  # names of fitted arrays and numbers
+    _positive: tuple[str, ...] = ("pose_width", "descriptor_width", "damping")
 
     def key_poses(self, sequences: Examples) -> KeyPoses:
         """Cluster the poses of training sequences ``(z, x)``."""
         return KeyPoses.of(sequences, SPACES[self.space], self.keep, self.random_state)
 
     def _compare_with(self, keys: KeyPoses) -> None:
-        for name in ("pose_width", "descriptor_width", "damping"):
+        for name in self._positive:
             if not getattr(self, name) > 0:
                 raise InputError(f"{name} must be positive, not {getattr(self, name)}")
         for name in ("heading_alone", "body_alone"):

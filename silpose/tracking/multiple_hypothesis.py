@@ -80,6 +80,7 @@ class MultipleHypothesisTracker(KeyPoseTracker):
     """
 
     _learnt = ("mean_", "variance_", "typical_", "noise_")
+    _positive = ("count", "drift", "trust", *KeyPoseTracker._positive)
 
     def __init__(
         self,
@@ -141,9 +142,6 @@ class MultipleHypothesisTracker(KeyPoseTracker):
         poses: Sequence[Array],
     ) -> Self:
         """Use what was fitted already, to takes of these poses, each (F, D)."""
-        for name in ("count", "drift", "trust"):
-            if not getattr(self, name) > 0:
-                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
         if not 0 <= self.past < 1:
             raise InputError(f"past is a share below 1, not {self.past}")
         if not 0 < self.fresh < 1:

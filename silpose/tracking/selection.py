@@ -16,8 +16,9 @@ from silpose.progress import bar
 
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
+GIVEN = 2  # first true poses of a sequence, which trackers of a single pose begin with
 Estimate = Callable[[Array, Array], Array]
-"""From descriptors (F, d) and the first two true poses (2, D) of a sequence to poses (F, D)."""
+"""From descriptors (F, d) and the first true poses (GIVEN, D) of a sequence to poses (F, D)."""
 Maker = Callable[..., Estimate]
 """From settings to an estimate."""
 Family = Callable[[Examples], Maker]
@@ -95,7 +96,7 @@ class Selection:
 
     def _error(self, estimate: Estimate, judged: Examples) -> float:
         """Mean distance over all frames."""
-        distances = [self.space.distance(x, estimate(z, x[:2])) for z, x in judged]
+        distances = [self.space.distance(x, estimate(z, x[:GIVEN])) for z, x in judged]
         return float(np.concatenate(distances).mean())
 
 

@@ -32,14 +32,8 @@ def shares_of(
     method : str
         For the selection's account.
     settings : TrackerSettings or HypothesesSettings
-    selection : Selection
-    fitted : callable
-        From sequences to a tracker fitted to them.
-
-    Returns
-    -------
-    shares : dict
-        ``heading_alone`` and ``body_alone``, each from 0 to 1.
+    selection, fitted
+        As `stacked_shares` has them; what it returns is returned.
     """
     given = {name: getattr(settings, name) for name in _PARTS}
     known = {name: share for name, share in given.items() if share is not None}
