@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 from timing import per_second, report
 
-from silpose.config import furnish, load
+from silpose.app.config import build_components, load
 from silpose.descriptor import ShapeContextHistogram
 from silpose.descriptor.boundary import boundary_pixels, extent, spaced_indices
 from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
@@ -22,7 +22,7 @@ def rough_masks(count: int) -> list[np.ndarray]:
     overrides = ["silhouette.camera.focal_length=2.5", f"motion.test_seconds={count / 15}"]
     rng = np.random.default_rng(0)
     masks = []
-    for mask in furnish(load(overrides)).dataset().test[0].masks:
+    for mask in build_components(load(overrides)).dataset().test[0].masks:
         edge = mask ^ cv2.erode(mask, np.ones((3, 3), np.uint8))
         masks.append(mask ^ (edge & (rng.random(mask.shape) < 0.08).astype(np.uint8)))
     return masks

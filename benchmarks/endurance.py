@@ -9,16 +9,16 @@ import tracemalloc
 import numpy as np
 from timing import report
 
-from silpose.config import furnish, load
-from silpose.experiments.descriptors import examples, learn_descriptor
-from silpose.tracking import Tracker
+from silpose.app.config import build_components, load
+from silpose.model.describe import examples, learn_descriptor
+from silpose.tracking import BeliefTracker
 
 if __name__ == "__main__":
     steps = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
-    rooms = furnish(load(["motion.seconds=6"]))
+    rooms = build_components(load(["motion.seconds=6"]))
     data = rooms.dataset()
     train = examples(learn_descriptor(rooms.descriptor, data.train), data.train)
-    tracker = Tracker().fit(train)
+    tracker = BeliefTracker().fit(train)
     random = np.random.default_rng(0)
     tracemalloc.start()
     rows, before = [], 0

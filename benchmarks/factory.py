@@ -9,12 +9,12 @@ from time import perf_counter
 
 from timing import report
 
-from silpose.config import furnish, load
-from silpose.experiments.training import described
+from silpose.app.config import build_components, load
+from silpose.model.training import described
 
 if __name__ == "__main__":
     frames = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
-    rooms = furnish(load(["silhouette/scenes=wide", f"silhouette.scenes.frames={frames}"]))
+    rooms = build_components(load(["silhouette/scenes=wide", f"silhouette.scenes.frames={frames}"]))
     started = perf_counter()
     data = rooms.dataset()
     ready = described(rooms, data)

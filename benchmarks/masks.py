@@ -4,8 +4,8 @@ import cv2
 import numpy as np
 from timing import per_second, report
 
+from silpose.core.pose_space import ANGLES
 from silpose.motion import WalkerTakes
-from silpose.pose import ANGLES
 from silpose.silhouette import Body, Camera, render
 
 WANTED = 1500  # of the convex body at level 1

@@ -11,10 +11,10 @@ import numpy as np
 from timing import per_second, report
 
 from silpose import load_run, runs_table
-from silpose.config import furnish, load
-from silpose.pose import ANGLES
+from silpose.app.config import build_components, load
+from silpose.core.pose_space import ANGLES
 from silpose.recording import Truth, compare, record_tracking
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
 from silpose.tracking import Track
 
 FRAMES = 400
@@ -33,7 +33,7 @@ def finish(run: Run) -> Run:
 
 
 if __name__ == "__main__":
-    rooms = furnish(load([f"motion.test_seconds={FRAMES / 15}", "motion.seconds=2"]))
+    rooms = build_components(load([f"motion.test_seconds={FRAMES / 15}", "motion.seconds=2"]))
     TAKE = rooms.dataset().test[0]
     rng = np.random.default_rng(0)
     ESTIMATES = {m: TAKE.x + rng.normal(size=TAKE.x.shape) for m in METHODS}

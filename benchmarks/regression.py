@@ -16,13 +16,13 @@ import numpy as np
 from sklearn.linear_model import ARDRegression
 from timing import report
 
-from silpose.config import furnish, load
+from silpose.app.config import build_components, load
+from silpose.core.pose_space import ANGLES, PoseSpace
 from silpose.dataset import AgarwalFile
-from silpose.experiments.training import described
-from silpose.pose import ANGLES, PoseSpace
+from silpose.model.training import described
 from silpose.regression import Basis, RelevanceVectorRegressor, RidgeRegressor
-from silpose.regression.elimination import eliminate
 from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.sparse.elimination import eliminate
 
 COUNT, WIDTH, DAMPING = 2636, 2.0, 0.01
 Data = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, PoseSpace]
@@ -30,7 +30,7 @@ Data = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, PoseSpace]
 
 def walkers() -> Data:
     """Photograph 2636 training frames of walkers, and their test sequence."""
-    rooms = furnish(load(["motion.seconds=22"]))
+    rooms = build_components(load(["motion.seconds=22"]))
     data = rooms.dataset()
     ready = described(rooms, data)
     z, x = (np.concatenate(part)[:COUNT] for part in zip(*ready.train, strict=True))

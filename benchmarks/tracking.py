@@ -7,14 +7,14 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 from timing import report
 
-from silpose.config import furnish, load
-from silpose.experiments.descriptors import examples, learn_descriptor
-from silpose.model import PoseModel
+from silpose.app.config import build_components, load
+from silpose.model.describe import examples, learn_descriptor
+from silpose.model.pose_model import PoseModel
 from silpose.regression import Basis, MixtureOfRegressors, RidgeRegressor
-from silpose.tracking import MultipleHypothesisTracker, Tracker
+from silpose.tracking import BeliefTracker, MultipleHypothesisTracker
 
 if __name__ == "__main__":
-    rooms = furnish(load(["descriptor.n_jobs=1"]))
+    rooms = build_components(load(["descriptor.n_jobs=1"]))
     data = rooms.dataset()
     descriptor = learn_descriptor(rooms.descriptor, data.train)
     train = examples(descriptor, data.train)
@@ -22,7 +22,7 @@ if __name__ == "__main__":
     ridge = RidgeRegressor(Basis(hellinger=True, width=4.0))
     mixture = MixtureOfRegressors(120, hellinger=True, units=data.space.units, shared=ridge)
     trackers = {
-        "belief": Tracker(pose_width=0.7, descriptor_width=0.8, damping=4.0),
+        "belief": BeliefTracker(pose_width=0.7, descriptor_width=0.8, damping=4.0),
         "hypotheses": MultipleHypothesisTracker(mixture),
     }
     cv2.setNumThreads(1)

@@ -23,10 +23,10 @@
 # %%
 import os
 
-from silpose.config import furnish, load
+from silpose.app.config import build_components, load
 
 fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-rooms = furnish(load(fast))
+rooms = build_components(load(fast))
 data = rooms.dataset()
 test = data.test[0]
 
@@ -48,7 +48,7 @@ plt.show()
 
 # %%
 from silpose.dataset import poses
-from silpose.model import PoseModel
+from silpose.model.pose_model import PoseModel
 from silpose.regression import Basis, RelevanceVectorRegressor
 
 regressor = RelevanceVectorRegressor(Basis(width=2, hellinger=True), keep_at_most=0.18)
@@ -57,7 +57,7 @@ model.fit(np.concatenate([take.masks for take in data.train]), poses(data.train)
 print(f"{len(regressor.relevance_)} of {len(poses(data.train))} silhouettes are kept")
 
 # %% [markdown]
-# **4. Look at the test walker,** whom it has never seen: estimated poses on the true ones, the
+# **4. PredictionDetails at the test walker,** whom it has never seen: estimated poses on the true ones, the
 # heading as the walker turns, and how far off it is on average, beside always answering the mean
 # pose.
 

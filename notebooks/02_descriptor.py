@@ -23,10 +23,10 @@ import os
 import matplotlib.pyplot as plt
 import numpy as np
 
-from silpose.config import furnish, load
+from silpose.app.config import build_components, load
 
 fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-rooms = furnish(load(fast))
+rooms = build_components(load(fast))
 data = rooms.dataset()
 train = np.concatenate([take.masks for take in data.train])
 test = data.test[0]

@@ -23,11 +23,11 @@ import os
 
 import numpy as np
 
-from silpose.config import furnish, load
+from silpose.app.config import build_components, load
 from silpose.dataset import poses
 
 fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-rooms = furnish(load(fast))
+rooms = build_components(load(fast))
 data = rooms.dataset()
 masks = np.concatenate([take.masks for take in data.train])
 z, x = rooms.descriptor.fit_transform(masks), poses(data.train)
@@ -99,7 +99,7 @@ plt.show()
 # %%
 from pathlib import Path
 
-from silpose.model import PoseModel
+from silpose.model.pose_model import PoseModel
 from silpose.recording import Header, Reasons, Truth, record_single_image, show
 
 test = data.test[0]

@@ -23,11 +23,11 @@ import os
 
 import numpy as np
 
-from silpose.config import furnish, load
+from silpose.app.config import build_components, load
 from silpose.dataset import poses
 
 fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-rooms = furnish(load(fast))
+rooms = build_components(load(fast))
 data = rooms.dataset()
 rooms.descriptor.fit(np.concatenate([take.masks for take in data.train]))
 train = [(rooms.descriptor.transform(take.masks), take.x) for take in data.train]
@@ -39,11 +39,11 @@ z = rooms.descriptor.transform(test.masks)
 
 # %%
 from silpose.regression import Basis, RidgeRegressor
-from silpose.tracking import Tracker
+from silpose.tracking import BeliefTracker
 
 single = RidgeRegressor(Basis(width=2, hellinger=True), damping=0.1)
 single.fit(np.concatenate([z for z, _ in train]), poses(data.train))
-tracker = Tracker(pose_width=0.7, descriptor_width=0.8, damping=4.0).fit(train)
+tracker = BeliefTracker(pose_width=0.7, descriptor_width=0.8, damping=4.0).fit(train)
 track = tracker.track(z, lag=7)
 estimates = {
     "ridge": single.predict(z),

@@ -24,13 +24,13 @@ import os
 import matplotlib.pyplot as plt
 import numpy as np
 
-from silpose.config import furnish, load
+from silpose.app.config import build_components, load
 
 fast = [
     *("motion.seconds=4", "motion.test_seconds=4"),
     *("regression.mixture.clusters=30", "regression.mixture.temperature=8"),
 ]
-rooms = furnish(load(fast if os.environ.get("SILPOSE_FAST") else []))
+rooms = build_components(load(fast if os.environ.get("SILPOSE_FAST") else []))
 data = rooms.dataset()
 rooms.descriptor.fit(np.concatenate([take.masks for take in data.train]))
 train, validation, ((z, x),) = (

@@ -27,8 +27,8 @@
 # %%
 import os
 
-from silpose.app import run_experiment
-from silpose.config import load
+from silpose.app.config import load
+from silpose.app.main import run_experiment
 
 fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
 common = [*fast, "methods=[ridge]", "show=ridge", "regression.basis.width=2"]

@@ -45,7 +45,7 @@ if not motion.exists():
 
 # %% [markdown]
 # **2. Is the motion read as it should be?** Every file is put on the skeleton that is used here.
-# Look for people who stand upright, and walk where they should.
+# PredictionDetails for people who stand upright, and walk where they should.
 #
 # *What may go wrong:* joints are found by name; a file whose joints have other names is left out
 # with a warning that says which joint is missing. Name it: `joints={"left_elbow": ["MyElbowL"]}`
@@ -55,8 +55,8 @@ if not motion.exists():
 # %%
 import matplotlib.pyplot as plt
 
+from silpose.core.pose_space import ANGLES
 from silpose.motion import MotionFolder
-from silpose.pose import ANGLES
 
 takes = MotionFolder(motion).takes()
 _, (above, front) = plt.subplots(1, 2, figsize=(12, 4), width_ratios=[1, 1.6])
@@ -79,8 +79,8 @@ plt.show()
 # and bodies by `silhouette/scenes=wide`.
 
 # %%
-from silpose.app import run_experiment
-from silpose.config import load
+from silpose.app.config import load
+from silpose.app.main import run_experiment
 
 own = ["motion=bvh", f"motion.root={motion}", "methods=[rvm]"]
 quick = ["regression.basis.width=2", "regression.rvm.nu=8"]  # without these, validation chooses

@@ -11,18 +11,18 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from silpose.finished import load_run, runs_table
+from silpose.recording.runs.finished_run import load_run, runs_table
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from silpose.model import PoseModel
+    from silpose.model.pose_model import PoseModel
 
 
 def load(path: str | Path) -> PoseModel:
     """Read a saved model: an ``.npz``, or the folder of the run that holds it."""
-    from silpose.model import PoseModel
+    from silpose.model.pose_model import PoseModel
 
     return PoseModel.load(path)
 

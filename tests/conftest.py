@@ -53,9 +53,9 @@ def fast():
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory):
     """A finished run of the whole experiment, a few seconds of motion in small images."""
-    from silpose.app import run_experiment
-    from silpose.config import load
-    from silpose.finished import load_run
+    from silpose.app.config import load
+    from silpose.app.main import run_experiment
+    from silpose.recording.runs.finished_run import load_run
 
     root = tmp_path_factory.mktemp("recordings")
     run_experiment(load([*FAST, f"recording.root={root}", "recording.name=small"]))

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from silpose.core.skeleton import ANGLES
 from silpose.motion import Motion
-from silpose.skeleton import ANGLES
 
 
 def swinging(frames: int, seed: int = 0, turns: float = 1.0) -> np.ndarray:

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 import pytest
 
-from silpose.app import main
-from silpose.recording.program import program
+from silpose.app.main import main
+from silpose.recording.viewer.process import program
 
 
 @pytest.fixture
@@ -140,7 +140,7 @@ def test_debug_shows_where_an_error_comes_from(run):
 
 def test_a_run_without_a_recording_does_not_load_rerun(fast, tmp_path):
     code = (
-        "import sys; from silpose.app import run_experiment; from silpose.config import load;"
+        "import sys; from silpose.app.main import run_experiment; from silpose.app.config import load;"
         "run_experiment(load(sys.argv[1:])); print({'rerun', 'rerun_bindings'} & set(sys.modules))"
     )
     settings = [*fast, "recording=none", f"recording.root={tmp_path}", "recording.name=small"]
@@ -156,10 +156,13 @@ def test_a_run_without_a_recording_does_not_load_rerun(fast, tmp_path):
 
 def test_help_and_import_do_not_wait_for_heavy_packages():
     heavy = {"rerun", "sklearn", "scipy", "numba", "cv2", "matplotlib"}
-    code = f"import sys, silpose, silpose.app; print({heavy!r} & set(sys.modules))"
+    code = f"import sys, silpose, silpose.app.main; print({heavy!r} & set(sys.modules))"
     shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert shown.stdout.strip() == "set()"
     shown = subprocess.run(
-        [sys.executable, "-m", "silpose.app", "--help"], capture_output=True, text=True, check=True
+        [sys.executable, "-m", "silpose.app.main", "--help"],
+        capture_output=True,
+        text=True,
+        check=True,
     )
     assert "single_image" in shown.stdout

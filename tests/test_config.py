@@ -5,10 +5,10 @@ from itertools import product
 import pytest
 from omegaconf import OmegaConf
 
-from silpose.config import build, config_folder, load
-from silpose.dataset import CrossCamera, CrossPerformer, SamePerformer, Scenes
+from silpose.app.config import build, config_folder, load
+from silpose.core.errors import InputError
+from silpose.dataset import CrossCamera, CrossPerformer, SamePerformer, SceneSampler
 from silpose.descriptor import ShapeContextHistogram
-from silpose.errors import InputError
 from silpose.motion import MotionFolder, WalkerTakes
 from silpose.regression import BasisSettings, RidgeSettings, RvmSettings
 from silpose.silhouette import Body, Camera, Degradation
@@ -78,7 +78,7 @@ def test_conf_holds_the_constructors_own_defaults():
         )
     )
     pairs = [
-        (Scenes, plain["silhouette"]["scenes"]),
+        (SceneSampler, plain["silhouette"]["scenes"]),
         (CrossPerformer, cross_performer["dataset"]),
         (CrossCamera, cross_camera["dataset"]),
         (partial(MotionFolder, "somewhere"), folder["motion"]),

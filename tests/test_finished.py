@@ -3,8 +3,8 @@ import sys
 import pytest
 
 from silpose import load_run, runs_table
-from silpose.errors import InputError
-from silpose.run import Run
+from silpose.core.errors import InputError
+from silpose.recording.runs.run_folder import Run
 
 
 def test_half_a_run_is_named(tmp_path):

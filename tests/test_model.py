@@ -6,10 +6,10 @@ import pybvh
 import pytest
 
 import silpose
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
-from silpose.errors import InputError
-from silpose.model import PoseModel
-from silpose.pose import ANGLES
+from silpose.model.pose_model import PoseModel
 from silpose.regression import RelevanceVectorRegressor, RidgeRegressor
 
 

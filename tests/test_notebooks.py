@@ -9,7 +9,7 @@ import nbclient
 import pytest
 from browser import chromium, evaluate, listening, opened, picture, wait_for
 
-from silpose.recording.program import free_port
+from silpose.recording.viewer.process import free_port
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.py"))
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.pose import ANGLES, AUTHORS_JOINTS, wrap_degrees
+from silpose.core.pose_space import ANGLES, AUTHORS_JOINTS, wrap_degrees
 
 
 def random_poses(n, seed=0):

@@ -2,7 +2,7 @@ import io
 
 from rich.console import Console
 
-from silpose import progress
+from silpose.core import progress
 
 
 def test_a_bar_is_drawn_only_when_it_takes_long(monkeypatch):

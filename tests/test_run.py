@@ -3,9 +3,9 @@ import json
 
 import pytest
 
-from silpose.errors import InputError
-from silpose.finished import load_run
-from silpose.run import Run
+from silpose.core.errors import InputError
+from silpose.recording.runs.finished_run import load_run
+from silpose.recording.runs.run_folder import Run
 
 
 def test_runs_are_numbered_and_never_merge(tmp_path):

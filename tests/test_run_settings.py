@@ -1,4 +1,4 @@
-from silpose.run_settings import differing, flat, typed
+from silpose.recording.runs.setting_differences import differing, flat, typed
 
 
 def test_names_are_those_of_the_command_line():

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from mannequin import Mannequin
 
-from silpose import skeleton
+from silpose.core import skeleton
 
 SMPLX = {
     "root": "Pelvis", "chest": "Spine3", "neck": "Neck", "head": "Head",

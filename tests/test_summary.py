@@ -1,7 +1,7 @@
 from rich.console import Console
 
-from silpose.finished import FinishedRun
-from silpose.summary import results
+from silpose.app.summary import results
+from silpose.recording.runs.finished_run import FinishedRun
 
 
 def test_names_are_whole_in_a_narrow_terminal(tmp_path):

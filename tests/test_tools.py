@@ -2,7 +2,7 @@ import sys
 
 import pytest
 
-from silpose.app import main
+from silpose.app.main import main
 
 
 def test_finished_runs_have_commands_of_their_own(finished, tmp_path, monkeypatch, capsys):

@@ -1,7 +1,7 @@
 import pytest
 
-from silpose.errors import InputError
-from silpose.writing import writing
+from silpose.core.atomic_files import writing
+from silpose.core.errors import InputError
 
 
 def test_a_file_has_its_name_only_once_it_is_whole(tmp_path):

@@ -3,27 +3,25 @@
 from silpose.dataset.agarwal import AgarwalFile
 from silpose.dataset.cross_camera import CrossCamera
 from silpose.dataset.cross_performer import CrossPerformer
-from silpose.dataset.folds import folds
-from silpose.dataset.photographs import Photographs
+from silpose.dataset.lazy_masks import LazyMasks
+from silpose.dataset.renderer import Renderer
 from silpose.dataset.same_performer import SamePerformer, Split
-from silpose.dataset.scenes import Scenes, Shot
-from silpose.dataset.sequence import Dataset, Sequence, poses
-from silpose.dataset.studio import Studio
+from silpose.dataset.scenes import Scene, SceneSampler
 from silpose.dataset.synthesis import photograph, synthesise
+from silpose.dataset.take import Dataset, Take, poses
 
 __all__ = [
     "AgarwalFile",
     "CrossCamera",
     "CrossPerformer",
     "Dataset",
-    "Photographs",
+    "LazyMasks",
+    "Renderer",
     "SamePerformer",
-    "Scenes",
-    "Sequence",
-    "Shot",
+    "Scene",
+    "SceneSampler",
     "Split",
-    "Studio",
-    "folds",
+    "Take",
     "photograph",
     "poses",
     "synthesise",

@@ -14,9 +14,9 @@ from scipy.io import loadmat
 from scipy.io.matlab import MatReadError
 from scipy.spatial.transform import Rotation
 
-from silpose.dataset.sequence import Dataset, Sequence
-from silpose.errors import InputError
-from silpose.pose import AUTHORS_JOINTS
+from silpose.core.errors import InputError
+from silpose.core.pose_space import AUTHORS_JOINTS
+from silpose.dataset.take import Dataset, Take
 
 Array = NDArray[np.float64]
 
@@ -71,14 +71,14 @@ class AgarwalFile:
         return [np.asarray(content[name], dtype=float) for name in shapes]
 
 
-def _sequence(name: str, positions: Array, histograms: Array) -> Sequence:
+def _sequence(name: str, positions: Array, histograms: Array) -> Take:
     joints = positions.reshape(len(positions), -1, 3) * _FLIP
     joints -= joints[:, :1]
     theta = heading(joints)
     moving = joints[:, AUTHORS_JOINTS.fixed :].reshape(len(joints), -1)
     x = np.column_stack([np.cos(theta), np.sin(theta), moving])
     z = histograms / histograms.sum(axis=1, keepdims=True)
-    return Sequence(name, "agarwal", FRAMES_PER_SECOND, x, None, np.zeros((len(x), 3)), z)
+    return Take(name, "agarwal", FRAMES_PER_SECOND, x, None, np.zeros((len(x), 3)), z)
 
 
 def heading(joints: Array) -> Array:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence as Ordered
+from collections.abc import Sequence
 
+from silpose.core.errors import InputError
 from silpose.dataset.same_performer import SamePerformer
-from silpose.dataset.scenes import Scenes
-from silpose.errors import InputError
+from silpose.dataset.scenes import SceneSampler
 from silpose.silhouette import Body, Camera
 
 
@@ -18,7 +18,7 @@ class CrossCamera(SamePerformer):
     train, validation, test, usual_validation, usual_test
         As in `SamePerformer`.
     elevation, focal_length, shape : list of 2 floats
-        Ranges of the test, as in `Scenes`; none may meet that of the training.
+        Ranges of the test, as in `SceneSampler`; none may meet that of the training.
     """
 
     def __init__(
@@ -26,20 +26,20 @@ class CrossCamera(SamePerformer):
         train: list[str] | None = None,
         validation: list[str] | None = None,
         test: list[str] | None = None,
-        usual_validation: Ordered[str] = ("validation", "*spiral_walk_normal08"),
-        usual_test: Ordered[str] = ("test", "*spiral_walk_fast12"),
-        elevation: Ordered[float] = (25.0, 35.0),
-        focal_length: Ordered[float] = (1.3, 1.5),
-        shape: Ordered[float] = (3.5, 4.5),
+        usual_validation: Sequence[str] = ("validation", "*spiral_walk_normal08"),
+        usual_test: Sequence[str] = ("test", "*spiral_walk_fast12"),
+        elevation: Sequence[float] = (25.0, 35.0),
+        focal_length: Sequence[float] = (1.3, 1.5),
+        shape: Sequence[float] = (3.5, 4.5),
     ) -> None:
         super().__init__(train, validation, test, usual_validation, usual_test)
         self.elevation = list(elevation)
         self.focal_length = list(focal_length)
         self.shape = list(shape)
 
-    def test_scenes(self, training: Scenes, body: Body, camera: Camera) -> Scenes:
+    def test_scenes(self, training: SceneSampler, body: Body, camera: Camera) -> SceneSampler:
         """Give the ranges of the test, outside those of the training."""
-        strange = Scenes(
+        strange = SceneSampler(
             around=training.around,
             elevation=self.elevation,
             focal_length=self.focal_length,

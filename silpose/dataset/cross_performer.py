@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from collections.abc import Sequence as Ordered
+from collections.abc import Mapping, Sequence
 from fnmatch import fnmatchcase
 
+from silpose.core.errors import InputError
 from silpose.dataset.same_performer import Split
-from silpose.errors import InputError
 
 
 class CrossPerformer:
@@ -21,7 +20,7 @@ class CrossPerformer:
         Performers, or globs, that test; all others train.
     """
 
-    def __init__(self, test: Ordered[str] = ("08", "16", "29")) -> None:
+    def __init__(self, test: Sequence[str] = ("08", "16", "29")) -> None:
         self.test = test
 
     def split(self, performers: Mapping[str, str]) -> Split:

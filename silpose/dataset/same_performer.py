@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
-from collections.abc import Sequence as Ordered
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 
 
 @dataclass(frozen=True)
@@ -45,8 +44,8 @@ class SamePerformer:
         train: list[str] | None = None,
         validation: list[str] | None = None,
         test: list[str] | None = None,
-        usual_validation: Ordered[str] = ("validation", "*spiral_walk_normal08"),
-        usual_test: Ordered[str] = ("test", "*spiral_walk_fast12"),
+        usual_validation: Sequence[str] = ("validation", "*spiral_walk_normal08"),
+        usual_test: Sequence[str] = ("test", "*spiral_walk_fast12"),
     ) -> None:
         self.train = train
         self.validation = validation
@@ -88,11 +87,11 @@ class SamePerformer:
 
     def _held_out(
         self,
-        takes: Ordered[str],
+        takes: Sequence[str],
         part: str,
-        globs: Ordered[str] | None,
-        usual: Ordered[str],
-        taken: Ordered[str],
+        globs: Sequence[str] | None,
+        usual: Sequence[str],
+        taken: Sequence[str],
     ) -> list[str]:
         if globs is not None:
             return self._named(takes, part, globs)
@@ -101,7 +100,7 @@ class SamePerformer:
             raise InputError(f"no take is left for dataset.{part}")
         return _matching(free, usual) or free[-1:]
 
-    def _named(self, takes: Ordered[str], part: str, globs: Ordered[str]) -> list[str]:
+    def _named(self, takes: Sequence[str], part: str, globs: Sequence[str]) -> list[str]:
         for glob in globs:
             if not _matching(takes, [glob]):
                 raise InputError(
@@ -110,5 +109,5 @@ class SamePerformer:
         return _matching(takes, globs)
 
 
-def _matching(takes: Ordered[str], globs: Ordered[str]) -> list[str]:
+def _matching(takes: Sequence[str], globs: Sequence[str]) -> list[str]:
     return [t for t in takes if any(fnmatchcase(t, glob) for glob in globs)]

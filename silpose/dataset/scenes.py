@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from collections.abc import Sequence as Ordered
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import ceil
 from typing import Any
 
 import numpy as np
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.motion import Motion, mirrored
 from silpose.silhouette import Body, Camera
 
@@ -20,7 +19,7 @@ RANGES = (*_CAMERA, "shape")
 
 
 @dataclass(frozen=True)
-class Shot:
+class Scene:
     """One sequence to be photographed.
 
     Attributes
@@ -39,7 +38,7 @@ class Shot:
 
 
 @dataclass(frozen=True)
-class Scenes:
+class SceneSampler:
     """Ranges, [lowest, highest], from which every sequence draws its body and its camera.
 
     Attributes
@@ -77,9 +76,9 @@ class Scenes:
             if ends is not None and (len(ends) != 2 or not ends[0] <= ends[1]):
                 raise InputError(f"silhouette.scenes.{name} is [lowest, highest], not {ends}")
 
-    def plain(self) -> Scenes:
+    def plain(self) -> SceneSampler:
         """Keep how cameras are spread, but of one body and one camera."""
-        return Scenes(around=self.around, seed=self.seed)
+        return SceneSampler(around=self.around, seed=self.seed)
 
     def range_of(self, name: str, body: Body, camera: Camera) -> tuple[float, float]:
         """Give lowest and highest value of one of `RANGES`, also where it is not drawn."""
@@ -89,8 +88,8 @@ class Scenes:
         return own, own
 
     def shots(
-        self, motions: Ordered[Motion], body: Body, camera: Camera, stream: int = 0
-    ) -> list[Shot]:
+        self, motions: Sequence[Motion], body: Body, camera: Camera, stream: int = 0
+    ) -> list[Scene]:
         """Give every motion a body and a camera.
 
         Parameters
@@ -104,7 +103,7 @@ class Scenes:
 
         Returns
         -------
-        shots : list of Shot
+        shots : list of Scene
         """
         rng = np.random.default_rng([self.seed, stream])
         parts = (
@@ -119,7 +118,7 @@ class Scenes:
                 changed["orbit"] = camera.orbit if k % 2 else -camera.orbit
             own_body = body if self.shape is None else self._draw_body(body, rng)
             motion = mirrored(motion) if self.mirror and k // 2 % 2 else motion
-            shots.append(Shot(motion, own_body, replace(camera, **changed), name))
+            shots.append(Scene(motion, own_body, replace(camera, **changed), name))
         return shots
 
     def _draw(self, name: str, rng: np.random.Generator) -> float:
@@ -133,7 +132,7 @@ class Scenes:
 
 
 def stretches(
-    motions: Ordered[Motion], frames: int, rng: np.random.Generator
+    motions: Sequence[Motion], frames: int, rng: np.random.Generator
 ) -> Iterator[tuple[Motion, str]]:
     """Cut so many frames out of motions, the same number from every performer.
 

@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping
-from collections.abc import Sequence as Ordered
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
+from silpose.core.progress import bar
 from silpose.dataset.cross_camera import CrossCamera
 from silpose.dataset.cross_performer import CrossPerformer
-from silpose.dataset.photographs import Photographs, as_poses
+from silpose.dataset.lazy_masks import LazyMasks, as_poses
 from silpose.dataset.same_performer import Split
-from silpose.dataset.scenes import Scenes
-from silpose.dataset.sequence import Dataset, Sequence
-from silpose.errors import InputError
+from silpose.dataset.scenes import SceneSampler
+from silpose.dataset.take import Dataset, Take
 from silpose.motion import Motion
-from silpose.pose import ANGLES
-from silpose.progress import bar
 from silpose.silhouette import Body, Camera, Degradation
 
 Spoil = Callable[[np.ndarray, int], np.ndarray]
@@ -42,7 +41,7 @@ def photograph(
     name: str | None = None,
     hold: bool = True,
     spoil: Callable[[str], Spoil | None] = lambda name: None,
-) -> Sequence:
+) -> Take:
     """Pose the body through a motion and take its masks.
 
     Parameters
@@ -61,21 +60,21 @@ def photograph(
 
     Returns
     -------
-    sequence : Sequence
+    sequence : Take
         Its poses' headings are relative to the camera.
     """
     seconds = np.arange(len(motion)) / motion.frames_per_second
     offset, heading = camera.place(motion.root_position, motion.angles[:, 0], seconds)
     x = as_poses(motion.angles, heading)
     name = name or motion.name
-    photographs = Photographs(motion.name, body, camera, x, offset, spoil(name))
-    masks: np.ndarray | Photographs = photographs
+    photographs = LazyMasks(motion.name, body, camera, x, offset, spoil(name))
+    masks: np.ndarray | LazyMasks = photographs
     if hold:
         masks = np.empty((len(motion), camera.height, camera.width), np.uint8)
         for frame, mask in enumerate(photographs):
             masks[frame] = mask
             advance(1)
-    return Sequence(
+    return Take(
         name,
         motion.performer,
         motion.frames_per_second,
@@ -88,12 +87,12 @@ def photograph(
 
 
 def synthesise(
-    takes: Ordered[Motion],
+    takes: Sequence[Motion],
     splitter: Splitter,
     body: Body,
     camera: Camera,
     name: str,
-    scenes: Scenes | None = None,
+    scenes: SceneSampler | None = None,
     degradation: Degradation | None = None,
 ) -> Dataset:
     """Photograph every take that the split uses.
@@ -106,7 +105,7 @@ def synthesise(
     camera : Camera
     name : str
         Of the dataset, as results call it.
-    scenes : Scenes, optional
+    scenes : SceneSampler, optional
         From which bodies and cameras of training are drawn; validation and test see the one body
         and the one camera, but where the splitter gives them others.
     degradation : Degradation, optional
@@ -116,7 +115,7 @@ def synthesise(
     -------
     dataset : Dataset
     """
-    scenes = scenes or Scenes()
+    scenes = scenes or SceneSampler()
     if isinstance(splitter, CrossPerformer):
         _refuse_walkers(takes)
     split = splitter.split({take.name: take.performer for take in takes})
@@ -137,7 +136,7 @@ def synthesise(
     ]
     frames = [sum(len(shot.motion) for shot in part) for part in shots]
     damage = degradation or Degradation()
-    spoils = [damage.spoiler(kinds) for kinds in (damage.train, damage.train, damage.test)]
+    spoils = [damage.degrader(kinds) for kinds in (damage.train, damage.train, damage.test)]
     hold = frames[0] * camera.height * camera.width <= HELD
     with bar("masks", frames[0] * hold + sum(frames[1:])) as advance:
         train, validation, test = (
@@ -150,7 +149,7 @@ def synthesise(
     return Dataset(name, ANGLES, train, validation, test, split.by_performer)
 
 
-def _equal(scenes: Scenes, takes: Ordered[Motion]) -> Scenes:
+def _equal(scenes: SceneSampler, takes: Sequence[Motion]) -> SceneSampler:
     """Ask for as many frames of every performer as the one with the fewest has."""
     frames: dict[str, int] = {}
     for take in takes:
@@ -158,7 +157,7 @@ def _equal(scenes: Scenes, takes: Ordered[Motion]) -> Scenes:
     return replace(scenes, frames=min(frames.values()) * len(frames))
 
 
-def _refuse_walkers(takes: Ordered[Motion]) -> None:
+def _refuse_walkers(takes: Sequence[Motion]) -> None:
     """Refuse what was fitted to all performers where none may be known."""
     for take in takes:
         if take.synthetic:
@@ -168,7 +167,7 @@ def _refuse_walkers(takes: Ordered[Motion]) -> None:
             )
 
 
-def _refuse_leaks(parts: Ordered[Ordered[Motion]]) -> None:
+def _refuse_leaks(parts: Sequence[Sequence[Motion]]) -> None:
     """Refuse a motion that is in two parts under two names."""
     seen: dict[bytes, tuple[int, str]] = {}
     for k, part in enumerate(parts):

@@ -7,7 +7,7 @@ import numba
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 
 Pixels = NDArray[np.int32]
 

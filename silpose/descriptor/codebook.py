@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from sklearn.cluster import KMeans, kmeans_plusplus
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 
 Array = NDArray[np.float32]
 

@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.utils.validation import check_is_fitted
 
+from silpose.core.errors import InputError
 from silpose.descriptor.boundary import Pixels, as_mask, boundary_pixels, extent, spaced_indices
 from silpose.descriptor.codebook import METHODS, learn_codebook, typical_distance
 from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
 from silpose.descriptor.voting import soft_votes
-from silpose.errors import InputError
 
 Masks = NDArray[Any] | Sequence[ArrayLike]
 T = TypeVar("T")

@@ -1,14 +1,14 @@
 """Metrics and baselines."""
 
 from silpose.evaluation.baselines import BASELINES, baselines
-from silpose.evaluation.heading import heading_doubt, key_angles
+from silpose.evaluation.heading import heading_confidence, key_angles
 from silpose.evaluation.metrics import heading_errors, joint_distances, measure
-from silpose.evaluation.swing import thigh_swing
+from silpose.evaluation.thigh_swing import thigh_swing
 
 __all__ = [
     "BASELINES",
     "baselines",
-    "heading_doubt",
+    "heading_confidence",
     "heading_errors",
     "joint_distances",
     "key_angles",

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from sklearn.neighbors import KNeighborsRegressor
 
-from silpose.pose import PoseSpace
+from silpose.core.pose_space import PoseSpace
 
 Array = NDArray[np.float64]
 

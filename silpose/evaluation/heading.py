@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.pose_space import AnglePoseSpace, PoseSpace
 from silpose.evaluation.metrics import heading_errors
-from silpose.pose import AnglePoseSpace, PoseSpace
 
 Array = NDArray[np.float64]
 
 MISESTIMATED = 20.0  # degrees off in heading
 
 
-def heading_doubt(space: PoseSpace, true: Array, estimated: Array) -> dict[str, float]:
+def heading_confidence(space: PoseSpace, true: Array, estimated: Array) -> dict[str, float]:
     """Relate the norm of the estimated (cos, sin) to the error in heading.
 
     Returns

@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.pose import AnglePoseSpace, PoseSpace, wrap_degrees
-from silpose.skeleton import JOINTS
+from silpose.core.pose_space import AnglePoseSpace, PoseSpace, wrap_degrees
+from silpose.core.skeleton import JOINTS
 
 Array = NDArray[np.float64]
 Metric = Callable[[PoseSpace, Array, Array, Array], float]

@@ -19,12 +19,12 @@ from silpose.experiments.mixture import mixture
 from silpose.experiments.parts import parts
 from silpose.experiments.predict import predict
 from silpose.experiments.regressors import regressors
-from silpose.experiments.rooms import OwnMasks, Rooms
-from silpose.experiments.shelf import Shelf
+from silpose.experiments.setup import Components, OwnMasks
 from silpose.experiments.similarity import similarity
 from silpose.experiments.single_image import single_image
 from silpose.experiments.tracking import tracking
 from silpose.experiments.training_data import training_data
+from silpose.model.descriptor_cache import DescriptorCache
 
 EXPERIMENTS: dict[str, Callable[..., None]] = {
     experiment.__name__: experiment
@@ -37,4 +37,4 @@ EXPERIMENTS: dict[str, Callable[..., None]] = {
     )
 }
 
-__all__ = ["EXPERIMENTS", "OwnMasks", "Rooms", "Shelf"]
+__all__ = ["EXPERIMENTS", "Components", "DescriptorCache", "OwnMasks"]

@@ -12,15 +12,15 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.experiments.explanations import KINDS, Kinds, differences, kinds_of
+from silpose.core.pose_space import PoseSpace
+from silpose.evaluation.density_baselines import neighbour_modes
+from silpose.evaluation.pose_differences import KINDS, Kinds, differences, kinds_of
 from silpose.experiments.figures import ESTIMATED, QUIET, TRUE
-from silpose.experiments.mixture_peers import neighbour_modes
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import prepare, tidy
-from silpose.pose import PoseSpace
+from silpose.experiments.setup import Components
+from silpose.model.training import prepare, tidy
 from silpose.recording import Truth, record_modes
-from silpose.regression import among_themselves
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
+from silpose.regression import normalised
 
 Array = NDArray[np.float64]
 
@@ -28,12 +28,12 @@ NEIGHBOURS = 20  # training silhouettes that explain one
 SHARE = 0.15  # of neighbours, or of probability, that an explanation has at least
 
 
-def ambiguity(rooms: Rooms, run: Run) -> None:
+def ambiguity(rooms: Components, run: Run) -> None:
     """Count explanations of each unseen silhouette: by like training silhouettes, by modes.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     """
     described = prepare(rooms, run)
@@ -45,7 +45,7 @@ def ambiguity(rooms: Rooms, run: Run) -> None:
     z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
     with run.stage("evaluation"):
         weights, means, _ = model.predict_modes(z, 8)
-        shares = among_themselves(weights)
+        shares = normalised(weights)
         near = neighbour_modes(z_train, x_train, z, NEIGHBOURS)
         alike = np.full(near.shape[:2], 1 / near.shape[1])
         seen, found = explained(space, alike, near), explained(space, shares, means)

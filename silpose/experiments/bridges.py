@@ -8,22 +8,22 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import prepare
+from silpose.core.errors import InputError
+from silpose.experiments.setup import Components
+from silpose.model.training import prepare
 from silpose.recording import record_bridges
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import follow_bridges
-from silpose.run import Run
 
 Array = NDArray[np.float64]
 
 
-def bridges(rooms: Rooms, run: Run, nu: float, width: float) -> None:
+def bridges(rooms: Components, run: Run, nu: float, width: float) -> None:
     """Follow one RVM from its first ridge regression to convergence, column by column.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     nu, width : float
         ν, and the factor of the kernels' width.

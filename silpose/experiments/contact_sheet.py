@@ -11,24 +11,24 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.dataset import Shot, photograph
-from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms, studio_of
+from silpose.core.errors import InputError
+from silpose.dataset import Scene, photograph
+from silpose.experiments.setup import Components, studio_of
 from silpose.recording import record_study
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
 from silpose.silhouette import BODIES, DEGRADATIONS, LEVELS, Body, Camera, degrade
 
 Mask = NDArray[np.uint8]
 
 
 def contact_sheet(
-    rooms: Rooms, run: Run, cameras: int, bodies: int, strengths: Sequence[float]
+    rooms: Components, run: Run, cameras: int, bodies: int, strengths: Sequence[float]
 ) -> None:
     """Photograph training poses: one a column, before the column's camera, by the row's body.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
         Of motion; ``silhouette.scenes`` is what bodies and cameras are drawn from.
     run : Run
     cameras : int
@@ -60,7 +60,7 @@ def contact_sheet(
     run.write_metrics(studio.name, rooms.seed, {})
 
 
-def _mask(shot: Shot, body: Body) -> Mask:
+def _mask(shot: Scene, body: Body) -> Mask:
     """Photograph the middle frame of a shot, with another body."""
     middle = len(shot.motion) // 2
     masks = photograph(shot.motion.part(middle, middle + 1), body, shot.camera).masks

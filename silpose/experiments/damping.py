@@ -9,24 +9,24 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.evaluation import measure
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.trackers import learn_to_track
-from silpose.experiments.training import tidy
+from silpose.experiments.setup import Components
+from silpose.model.tracker_training import learn_to_track
+from silpose.model.training import tidy
 from silpose.recording import record_study
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
 from silpose.tracking import GIVEN
 
 Array = NDArray[np.float64]
 
 
-def damping(rooms: Rooms, run: Run, values: Sequence[float]) -> None:
+def damping(rooms: Components, run: Run, values: Sequence[float]) -> None:
     """Track with the paper's regressor under several linear terms.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     values : sequence of float
         The s to try; the full matrix C stands beside them.

@@ -16,14 +16,14 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sklearn.base import clone
 
+from silpose.core.errors import InputError
+from silpose.core.progress import bar
 from silpose.dataset import Dataset, poses
-from silpose.errors import InputError
-from silpose.experiments.descriptors import examples, learn_descriptor
-from silpose.experiments.rooms import Rooms, want_masks
-from silpose.experiments.training import Described
-from silpose.progress import bar
+from silpose.experiments.setup import Components, want_masks
+from silpose.model.describe import examples, learn_descriptor
+from silpose.model.training import DescribedDataset
 from silpose.recording import record_study
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
 
 Array = NDArray[np.float64]
 Rows = list[dict[str, object]]
@@ -32,7 +32,7 @@ HELLINGER, REGRESSION = "hellinger", "ridge"
 
 
 def descriptor_choices(
-    rooms: Rooms, run: Run, choices: dict[str, list[object]], seeds: list[int]
+    rooms: Components, run: Run, choices: dict[str, list[object]], seeds: list[int]
 ) -> None:
     """Vary one choice at a time, and see what it does to the error of kernel ridge regression.
 
@@ -40,7 +40,7 @@ def descriptor_choices(
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     choices : dict of str to list
         Values of each of the descriptor's parameters, and of ``hellinger``; without any values
@@ -98,7 +98,7 @@ def descriptor_choices(
 
 
 def _try(
-    rooms: Rooms, data: Dataset, change: dict[str, object], seed: int
+    rooms: Components, data: Dataset, change: dict[str, object], seed: int
 ) -> tuple[Array, float, float]:
     """Errors on every test frame, the error on validation, and masks described in a second."""
     own = {name: value for name, value in change.items() if name != HELLINGER}
@@ -107,7 +107,7 @@ def _try(
     started = perf_counter()
     parts = [examples(fitted, part) for part in (data.train, data.validation, data.test)]
     seconds = perf_counter() - started
-    described = Described(data, fitted, *parts)
+    described = DescribedDataset(data, fitted, *parts)
     usual = rooms.candidates.basis
     basis = replace(usual, hellinger=bool(change.get(HELLINGER, usual.hellinger)))
     chosen = described.learn(replace(rooms.candidates, basis=basis), [REGRESSION])

@@ -15,16 +15,16 @@ import numpy as np
 from numpy.typing import NDArray
 from sklearn.base import clone
 
+from silpose.core.errors import InputError
 from silpose.dataset import Dataset
 from silpose.descriptor import AlignedMask, HuMoments
-from silpose.errors import InputError
-from silpose.experiments.descriptors import Descriptor, examples
-from silpose.experiments.robustness_figure import TAUGHT, Masks, Rows, robustness_figure
-from silpose.experiments.rooms import Rooms, masks_of, studio_of
-from silpose.experiments.training import Described, compare
+from silpose.experiments.descriptor_robustness_figure import TAUGHT, Masks, Rows, robustness_figure
+from silpose.experiments.setup import Components, masks_of, studio_of
+from silpose.model.describe import Descriptor, examples
+from silpose.model.training import DescribedDataset, compare
 from silpose.recording import record_study
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import Candidates, Regressor
-from silpose.run import Run
 from silpose.silhouette import Degradation, contour_damage, degrade
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ OURS, REGRESSION = "shape_contexts", "ridge"
 
 
 @dataclass(frozen=True)
-class Eye:
+class Pipeline:
     """A descriptor and the regressor behind it."""
 
     descriptor: Descriptor
@@ -45,7 +45,7 @@ class Eye:
 
 
 def descriptor_robustness(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
     kinds: list[str],
     strengths: list[float],
@@ -57,7 +57,7 @@ def descriptor_robustness(
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     kinds : list of str
         Of degradation.
@@ -120,10 +120,12 @@ def descriptor_robustness(
     run.write_metrics(data.name, rooms.seed, metrics)
 
 
-def _teach(rooms: Rooms, whole: Dataset, damaged: Dataset) -> tuple[dict[str, Eye], Described]:
+def _teach(
+    rooms: Components, whole: Dataset, damaged: Dataset
+) -> tuple[dict[str, Pipeline], DescribedDataset]:
     """Fit every descriptor and its regressor to either; describe whole silhouettes by ours."""
-    eyes: dict[str, Eye] = {}
-    ours: list[Described] = []
+    eyes: dict[str, Pipeline] = {}
+    ours: list[DescribedDataset] = []
     for lesson, data in (("", whole), (TAUGHT, damaged)):
         for name, descriptor in {
             OURS: clone(rooms.descriptor),
@@ -131,17 +133,17 @@ def _teach(rooms: Rooms, whole: Dataset, damaged: Dataset) -> tuple[dict[str, Ey
             "hu_moments": HuMoments(),
         }.items():
             described, regressor = _learn(data, descriptor, rooms.candidates, name == OURS)
-            eyes[name + lesson] = Eye(descriptor, regressor)
+            eyes[name + lesson] = Pipeline(descriptor, regressor)
             ours.append(described)
     return eyes, ours[0]
 
 
 def _learn(
     data: Dataset, descriptor: Descriptor, candidates: Candidates, histogram: bool
-) -> tuple[Described, Regressor]:
+) -> tuple[DescribedDataset, Regressor]:
     descriptor.fit([mask for take in data.train if take.masks is not None for mask in take.masks])
     parts = (examples(descriptor, part) for part in (data.train, data.validation, data.test))
-    described = Described(data, None, *parts)
+    described = DescribedDataset(data, None, *parts)
     basis = replace(candidates.basis, hellinger=candidates.basis.hellinger and histogram)
     chosen = described.learn(replace(candidates, basis=basis), [REGRESSION])
     return described, chosen.regressors[REGRESSION]
@@ -163,10 +165,10 @@ def _lost_at(damage: float, rows: Rows, name: str, kind: str) -> float:
 
 
 def _record(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
     data: Dataset,
-    eyes: Mapping[str, Eye],
+    eyes: Mapping[str, Pipeline],
     kinds: Sequence[str],
     metrics: dict[str, dict[str, float]],
     unit: str,

@@ -10,22 +10,23 @@ from matplotlib.colors import hsv_to_rgb
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from silpose.core.errors import InputError
 from silpose.descriptor import Description
-from silpose.errors import InputError
-from silpose.experiments.descriptors import learn_descriptor
-from silpose.experiments.rooms import Rooms, masks_of
-from silpose.recording import ContextSpace, codebook_picture, record_context_space
-from silpose.run import Run
+from silpose.descriptor.context_space import ContextSpace
+from silpose.experiments.setup import Components, masks_of
+from silpose.model.describe import learn_descriptor
+from silpose.recording import codebook_picture, record_context_space
+from silpose.recording.runs.run_folder import Run
 
 Array = NDArray[np.float64]
 
 
-def descriptor_space(rooms: Rooms, run: Run, contexts: int) -> None:
-    """Look at all contexts in the plane of their two principal components, and at the codebook.
+def descriptor_space(rooms: Components, run: Run, contexts: int) -> None:
+    """PredictionDetails at all contexts in the plane of their two principal components, and at the codebook.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     contexts : int
         At most so many contexts of training silhouettes are drawn.

@@ -9,28 +9,28 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
+from silpose.core.pose_space import PoseSpace
 from silpose.evaluation import thigh_swing
 from silpose.experiments.figures import ESTIMATED, TRUE
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.trackers import learn_to_track
-from silpose.experiments.training import tidy
-from silpose.pose import PoseSpace
+from silpose.experiments.setup import Components
+from silpose.model.tracker_training import learn_to_track
+from silpose.model.training import tidy
 from silpose.recording import record_extinction
-from silpose.run import Run
-from silpose.tracking import GIVEN, PointTracker
+from silpose.recording.runs.run_folder import Run
+from silpose.tracking import GIVEN, SinglePoseTracker
 
 Array = NDArray[np.float64]
 
 
 def extinction(
-    rooms: Rooms, run: Run, kernels: int, narrower: Sequence[float], takes: Sequence[str]
+    rooms: Components, run: Run, kernels: int, narrower: Sequence[float], takes: Sequence[str]
 ) -> None:
     """Track with the pose kernel of chosen width, and with ones that are too narrow.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     kernels : int
         Training examples that carry one, drawn by seed.
@@ -78,7 +78,7 @@ def extinction(
     run.write_metrics(described.data.name, rooms.seed, metrics)
 
 
-def _by_heading(tracker: PointTracker) -> PointTracker:
+def _by_heading(tracker: SinglePoseTracker) -> SinglePoseTracker:
     """Put the kernels in the order in which a walk meets them: by their poses' headings."""
     regressor = tracker.regressor
     centres = regressor.centres_x_ * regressor.scale_ + regressor.mean_

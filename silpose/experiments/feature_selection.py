@@ -8,20 +8,20 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms, masks_of
-from silpose.experiments.training import prepare
+from silpose.core.errors import InputError
+from silpose.experiments.setup import Components, masks_of
+from silpose.model.training import prepare
 from silpose.recording import record_features
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import check_methods
-from silpose.run import Run
 
 
-def feature_selection(rooms: Rooms, run: Run, method: str, samples: int) -> None:
+def feature_selection(rooms: Components, run: Run, method: str, samples: int) -> None:
     """Regress each body part by a linear RVM, and mark the points whose bins it retains.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     method : str
         How sparse: ``rvm``, or ``rvm_N`` for N of 100 bins.

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.dataset import Sequence as Take
-from silpose.pose import PoseSpace, wrap_degrees
+from silpose.core.pose_space import PoseSpace, wrap_degrees
+from silpose.dataset import Take
 from silpose.silhouette import Camera
 
 Array = NDArray[np.float64]

@@ -10,17 +10,17 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.experiments.failures import BACK_DEG, Film, Follow, blanks, cuts
+from silpose.core.pose_space import PoseSpace
+from silpose.core.progress import bar
+from silpose.evaluation.recovery import BACK_DEG, FailureSequence, Follow, blanks, cuts
 from silpose.experiments.figures import ESTIMATED, QUIET, TRUE
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.trackers import Learnt, learn_to_track
-from silpose.experiments.training import tidy
-from silpose.pose import PoseSpace
-from silpose.progress import bar
+from silpose.experiments.setup import Components
+from silpose.model.tracker_training import TrackerTraining, learn_to_track
+from silpose.model.training import tidy
 from silpose.recording import Truth, record_hypotheses
 from silpose.recording.palette import STATES
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import MixtureOfRegressors
-from silpose.run import Run
 from silpose.tracking import Estimate, ManyTracks, MultipleHypothesisTracker, choose_hypotheses
 
 Array = NDArray[np.float64]
@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 SOON = 1.0  # seconds after a failure within which a tracker is to be back
 
 
-def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
+def hypotheses(rooms: Components, run: Run, blank_frames: int, trials: int) -> None:
     """Track unseen sequences from no given pose, then with failures put in.
 
     Beside it stand the paper's state-sensitive tracker and the one of a belief over key poses,
@@ -36,7 +36,7 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     blank_frames : int
         How long a silhouette is missing.
@@ -67,7 +67,7 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
         for method, kinds in seconds.items():
             back = {f"back_after_{k}": float((s <= SOON).mean()) for k, s in kinds.items()}
             metrics[method] |= back
-    film = Film.of(described.data.test[0], described.test[0][0], blank_frames)
+    film = FailureSequence.of(described.data.test[0], described.test[0][0], blank_frames)
     many = tracker.track(film.z)
     model = replace(described.model(learnt.ridge), tracker=tracker)
     with run.writing("model.npz") as path:
@@ -81,8 +81,8 @@ def hypotheses(rooms: Rooms, run: Run, blank_frames: int, trials: int) -> None:
 
 
 def _seconds_lost(
-    rooms: Rooms,
-    learnt: Learnt,
+    rooms: Components,
+    learnt: TrackerTraining,
     tracker: MultipleHypothesisTracker,
     blank_frames: int,
     trials: int,
@@ -111,9 +111,9 @@ def _seconds_lost(
 
 
 def _record(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
-    film: Film,
+    film: FailureSequence,
     mixture: MixtureOfRegressors,
     many: ManyTracks,
     space: PoseSpace,
@@ -150,7 +150,7 @@ def _lost(seconds: Mapping[str, Mapping[str, Array]]) -> list[dict[str, object]]
 def _figure(
     path: Path,
     space: PoseSpace,
-    film: Film,
+    film: FailureSequence,
     mixture: MixtureOfRegressors,
     many: ManyTracks,
     seconds: Mapping[str, Mapping[str, Array]],

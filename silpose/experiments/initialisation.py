@@ -10,15 +10,15 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sklearn.base import clone
 
+from silpose.core.pose_space import PoseSpace
+from silpose.core.progress import bar
 from silpose.evaluation import heading_errors
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.trackers import Learnt, learn_to_track
-from silpose.experiments.training import tidy
-from silpose.pose import PoseSpace
-from silpose.progress import bar
+from silpose.experiments.setup import Components
+from silpose.model.tracker_training import TrackerTraining, learn_to_track
+from silpose.model.training import tidy
 from silpose.recording import record_study
-from silpose.run import Run
-from silpose.tracking import Tracker
+from silpose.recording.runs.run_folder import Run
+from silpose.tracking import BeliefTracker
 
 Array = NDArray[np.float64]
 Follow = Callable[[Array, bool], Array]
@@ -28,12 +28,12 @@ LOCKED_SHARE = 0.95  # in this share of the frames,
 SETTLING = 1.0  # from so many seconds after the start
 
 
-def initialisation(rooms: Rooms, run: Run) -> None:
+def initialisation(rooms: Components, run: Run) -> None:
     """Start at every frame in turn, track forwards and backwards, and never recover.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     """
     learnt = learn_to_track(rooms, run)
@@ -42,7 +42,7 @@ def initialisation(rooms: Rooms, run: Run) -> None:
     rate = described.data.test[0].frames_per_second
     settling = round(SETTLING * rate)
     with run.stage("tracking"):
-        tracker: Tracker = clone(learnt.tracker).set_params(restart=0.0).fit(described.train)
+        tracker: BeliefTracker = clone(learnt.tracker).set_params(restart=0.0).fit(described.train)
         followers: dict[str, Follow] = {
             "joint": lambda z, back: _point(learnt, z, back),
             "tracker": lambda z, back: tracker.track(z, backwards=back).x,
@@ -93,7 +93,7 @@ def _share_within(
     return float(np.concatenate(met).mean()) if met else np.nan
 
 
-def _point(learnt: Learnt, z: Array, back: bool) -> Array:
+def _point(learnt: TrackerTraining, z: Array, back: bool) -> Array:
     """Track by the paper's tracker from the single-image estimates of the first two frames."""
     along = z[::-1] if back else z
     x = learnt.joint.track(along, learnt.ridge.predict(along[:2]))[0]

@@ -10,22 +10,22 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sklearn.base import clone
 
-from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.trackers import Learnt, learn_to_track
+from silpose.core.errors import InputError
+from silpose.experiments.setup import Components
+from silpose.model.tracker_training import TrackerTraining, learn_to_track
 from silpose.recording import record_study
-from silpose.run import Run
-from silpose.tracking import GIVEN, Estimate, Tracker
+from silpose.recording.runs.run_folder import Run
+from silpose.tracking import GIVEN, BeliefTracker, Estimate
 
 Array = NDArray[np.float64]
 
 
-def kernel_widths(rooms: Rooms, run: Run, factors: Sequence[float]) -> None:
+def kernel_widths(rooms: Components, run: Run, factors: Sequence[float]) -> None:
     """Multiply β_x and β_z, as chosen, by factors, for the paper's tracker and for ours.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     factors : sequence of float
     """
@@ -66,7 +66,7 @@ def kernel_widths(rooms: Rooms, run: Run, factors: Sequence[float]) -> None:
     run.write_metrics(described.data.name, rooms.seed, metrics)
 
 
-def _joint(learnt: Learnt) -> Callable[[float, float], Estimate]:
+def _joint(learnt: TrackerTraining) -> Callable[[float, float], Estimate]:
     def make(on_x: float, on_z: float) -> Estimate:
         chosen = learnt.joint.regressor
         tracker = learnt.joint_with(
@@ -77,8 +77,8 @@ def _joint(learnt: Learnt) -> Callable[[float, float], Estimate]:
     return make
 
 
-def _tracker(learnt: Learnt) -> Callable[[float, float], Estimate]:
-    chosen: Tracker = learnt.tracker
+def _tracker(learnt: TrackerTraining) -> Callable[[float, float], Estimate]:
+    chosen: BeliefTracker = learnt.tracker
     keys = chosen.key_poses(learnt.described.train)
 
     def make(on_x: float, on_z: float) -> Estimate:

@@ -12,12 +12,12 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from silpose.core.errors import InputError
+from silpose.core.pose_space import PoseSpace, wrap_degrees
 from silpose.dataset import Dataset
-from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms, want_masks
-from silpose.pose import PoseSpace, wrap_degrees
+from silpose.experiments.setup import Components, want_masks
 from silpose.recording import record_study
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
 
 Array = NDArray[np.float64]
 
@@ -46,12 +46,12 @@ class Frames:
         )
 
 
-def lookalikes(rooms: Rooms, run: Run, pairs: int, overlap: float, frames: int) -> None:
+def lookalikes(rooms: Components, run: Run, pairs: int, overlap: float, frames: int) -> None:
     """Search training for the silhouettes that agree most about the least agreeing poses.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     pairs : int
         To be shown.
@@ -134,7 +134,7 @@ def _most_different(
 
 
 def _figure(
-    path: Path, rooms: Rooms, space: PoseSpace, seen: Frames, found: Sequence[tuple[int, int]]
+    path: Path, rooms: Components, space: PoseSpace, seen: Frames, found: Sequence[tuple[int, int]]
 ) -> None:
     figure = Figure(figsize=(9.5, 2.5 * len(found) + 0.5), layout="constrained")
     for line, (i, j) in zip(figure.subplots(len(found), 5, squeeze=False), found, strict=True):

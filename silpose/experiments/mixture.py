@@ -10,24 +10,24 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from silpose.core.pose_space import PoseSpace
 from silpose.evaluation import baselines, measure
-from silpose.experiments.figures import ESTIMATED, QUIET, TRUE
-from silpose.experiments.mixture_peers import (
+from silpose.evaluation.density_baselines import (
     GaussianMixtureRegression,
     SingleGaussian,
     choose_peer,
     neighbour_modes,
 )
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import Described, prepare, tidy
-from silpose.pose import PoseSpace
+from silpose.experiments.figures import ESTIMATED, QUIET, TRUE
+from silpose.experiments.setup import Components
+from silpose.model.training import DescribedDataset, prepare, tidy
 from silpose.recording import Truth, record_modes
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import (
     MixtureOfRegressors,
     RidgeRegressor,
-    among_themselves,
+    normalised,
 )
-from silpose.run import Run
 
 Array = NDArray[np.float64]
 Rows = list[dict[str, object]]
@@ -38,12 +38,12 @@ _BINS = 5  # of weights, in which calibration is judged
 _FEW = 30  # modes in a bin, below which it is not
 
 
-def mixture(rooms: Rooms, run: Run, gmr: Sequence[int]) -> None:
+def mixture(rooms: Components, run: Run, gmr: Sequence[int]) -> None:
     """Let modes answer unseen silhouettes, and weigh them, beside three peers.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     gmr : sequence of int
         Components that the peer `gmr` may have; it is left out where the package is missing.
@@ -106,7 +106,7 @@ def reliability_of(space: PoseSpace, weights: Array, means: Array, x: Array) -> 
     """Count how often a mode is nearest to the truth, by bins of its weight among the modes."""
     distances = np.where(weights > 0, space.distance(x[:, None], means), np.inf)
     met = (np.arange(weights.shape[1]) == distances.argmin(axis=1)[:, None])[weights > 0]
-    weight = among_themselves(weights)[weights > 0]
+    weight = normalised(weights)[weights > 0]
     which = np.minimum((weight * _BINS).astype(int), _BINS - 1)
     bins = [which == b for b in range(_BINS)]
     return [
@@ -123,9 +123,9 @@ def reliability_of(space: PoseSpace, weights: Array, means: Array, x: Array) -> 
 
 
 def _record(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
-    described: Described,
+    described: DescribedDataset,
     model: MixtureOfRegressors,
     ridge: RidgeRegressor,
     metrics: Mapping[str, Mapping[str, float]],

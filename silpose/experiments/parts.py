@@ -7,21 +7,21 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import prepare
+from silpose.experiments.setup import Components
+from silpose.model.training import prepare
 from silpose.recording import record_study
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import check_methods
-from silpose.run import Run
 
 BODY = "body"
 
 
-def parts(rooms: Rooms, run: Run) -> None:
+def parts(rooms: Components, run: Run) -> None:
     """Regress each body part on its own by linear RVMs, and vary their sparsity.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
         With a linear basis (``regression=linear``), what is kept are bins of the histogram.
     run : Run
     """

@@ -9,22 +9,22 @@ from pathlib import Path
 
 import numpy as np
 
-from silpose.errors import InputError
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import prepare
-from silpose.model import Look, PoseModel, Poses
+from silpose.core.errors import InputError
+from silpose.experiments.setup import Components
+from silpose.model.pose_model import PoseModel, Poses, PredictionDetails
+from silpose.model.training import prepare
 from silpose.recording import record_prediction
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import check_methods
-from silpose.run import Run
 from silpose.silhouette import mask_names, read_masks
 
 
-def predict(rooms: Rooms, run: Run, model: str | None, show: str, lag: float) -> None:
+def predict(rooms: Components, run: Run, model: str | None, show: str, lag: float) -> None:
     """Estimate the pose behind each of the user's masks; write them as a recording and a table.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     model : str or None
         Path of a run's ``model.npz``; None trains one on the rooms' dataset first.
@@ -53,8 +53,8 @@ def predict(rooms: Rooms, run: Run, model: str | None, show: str, lag: float) ->
 
 
 def _follow(
-    model: PoseModel, look: Look, frames_per_second: float, lag: float
-) -> tuple[Look, list[str] | None]:
+    model: PoseModel, look: PredictionDetails, frames_per_second: float, lag: float
+) -> tuple[PredictionDetails, list[str] | None]:
     """Put tracked poses in the place of single-image ones, where the model can."""
     if model.tracker is None:
         return look, None
@@ -63,7 +63,7 @@ def _follow(
     return replace(look, x=track.x), track.state
 
 
-def _train(rooms: Rooms, run: Run, method: str) -> PoseModel:
+def _train(rooms: Components, run: Run, method: str) -> PoseModel:
     described = prepare(rooms, run)
     with run.stage("regression"):
         return described.model(described.learn(rooms.candidates, [method]).regressors[method])

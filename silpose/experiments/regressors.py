@@ -9,18 +9,22 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import Described, compare, prepare
+from silpose.experiments.setup import Components
+from silpose.model.training import DescribedDataset, compare, prepare
 from silpose.recording import record_study
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import Candidates, check_methods
-from silpose.run import Run
 
 BODY = "body"
 Rows = list[dict[str, object]]
 
 
 def regressors(
-    rooms: Rooms, run: Run, methods: Sequence[str], kernels: Sequence[str], widths: Sequence[float]
+    rooms: Components,
+    run: Run,
+    methods: Sequence[str],
+    kernels: Sequence[str],
+    widths: Sequence[float],
 ) -> None:
     """Compare methods on linear and kernel bases by body part, then kernels and widths.
 
@@ -29,7 +33,7 @@ def regressors(
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     methods : sequence of str
         Regression methods.
@@ -76,7 +80,7 @@ def regressors(
 
 
 def _by_part(
-    described: Described,
+    described: DescribedDataset,
     candidates: Candidates,
     basis: str,
     methods: Sequence[str],
@@ -100,7 +104,10 @@ def _by_part(
 
 
 def _by_kernel(
-    described: Described, candidates: Candidates, kernels: Sequence[str], widths: Sequence[float]
+    described: DescribedDataset,
+    candidates: Candidates,
+    kernels: Sequence[str],
+    widths: Sequence[float],
 ) -> Rows:
     z, true = (np.concatenate(part) for part in zip(*described.test, strict=True))
     rows: Rows = []

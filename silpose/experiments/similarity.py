@@ -12,25 +12,24 @@ from numpy.typing import NDArray
 from scipy.spatial.distance import pdist, squareform
 from scipy.stats import rankdata, spearmanr
 
-from silpose.dataset import Dataset
-from silpose.dataset import Sequence as Take
-from silpose.experiments.descriptors import examples, learn_descriptor
-from silpose.experiments.rooms import Rooms
-from silpose.pose import PoseSpace
+from silpose.core.pose_space import PoseSpace
+from silpose.dataset import Dataset, Take
+from silpose.experiments.setup import Components
+from silpose.model.describe import examples, learn_descriptor
 from silpose.recording import record_study
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
 
 Array = NDArray[np.float64]
 
 APART = 15  # frames that two poses are apart to count as met again
 
 
-def similarity(rooms: Rooms, run: Run, sequences: Sequence[str]) -> None:
+def similarity(rooms: Components, run: Run, sequences: Sequence[str]) -> None:
     """Compare every two frames of a walk by their descriptors, and by their true poses.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     sequences : sequence of str
         Names or globs; the first sequence that one of them matches is looked at, else the first

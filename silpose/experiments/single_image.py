@@ -7,25 +7,25 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.errors import InputError
-from silpose.evaluation import heading_doubt, key_angles
+from silpose.core.errors import InputError
+from silpose.evaluation import heading_confidence, key_angles
 from silpose.experiments.figures import single_image_figure
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.training import Described, compare, prepare, tidy
-from silpose.model import PoseModel
+from silpose.experiments.setup import Components
+from silpose.model.pose_model import PoseModel
+from silpose.model.training import DescribedDataset, compare, prepare, tidy
 from silpose.recording import Reasons, Truth, record_single_image
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import check_methods
-from silpose.run import Run
 
 Array = NDArray[np.float64]
 
 
-def single_image(rooms: Rooms, run: Run, methods: Sequence[str], show: str) -> None:
+def single_image(rooms: Components, run: Run, methods: Sequence[str], show: str) -> None:
     """Learn to see pose in silhouettes, and look at how well it goes on unseen sequences.
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     methods : sequence of str
         Regression methods; the baselines stand beside them always.
@@ -44,7 +44,7 @@ def single_image(rooms: Rooms, run: Run, methods: Sequence[str], show: str) -> N
         estimates, metrics = compare(described, chosen.regressors)
         for method in methods:
             true = np.concatenate([x for _, x in described.test])
-            metrics[method] |= heading_doubt(described.data.space, true, estimates[method])
+            metrics[method] |= heading_confidence(described.data.space, true, estimates[method])
         keys = key_angles(described.data.space, true, estimates[show])
     with run.stage("recording"):
         model = described.model(chosen.regressors[show])
@@ -55,9 +55,9 @@ def single_image(rooms: Rooms, run: Run, methods: Sequence[str], show: str) -> N
 
 
 def _write(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
-    described: Described,
+    described: DescribedDataset,
     model: PoseModel,
     estimates: dict[str, Array],
     metrics: dict[str, dict[str, float]],

@@ -9,21 +9,21 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from silpose.core.pose_space import PoseSpace
 from silpose.evaluation import thigh_swing
 from silpose.experiments.figures import ESTIMATED, TRUE
-from silpose.experiments.rooms import Rooms
-from silpose.experiments.trackers import Learnt, learn_to_track
-from silpose.experiments.training import tidy
-from silpose.model import PoseModel
-from silpose.pose import PoseSpace
+from silpose.experiments.setup import Components
+from silpose.model.pose_model import PoseModel
+from silpose.model.tracker_training import TrackerTraining, learn_to_track
+from silpose.model.training import tidy
 from silpose.recording import Truth, record_tracking
-from silpose.run import Run
+from silpose.recording.runs.run_folder import Run
 from silpose.tracking import Track, choose_rivals
 
 Array = NDArray[np.float64]
 
 
-def tracking(rooms: Rooms, run: Run) -> None:
+def tracking(rooms: Components, run: Run) -> None:
     """Track a person through unseen sequences, beside everything else that smooths.
 
     The trackers that carry a single pose are given the first two true ones, as in the paper; the
@@ -31,7 +31,7 @@ def tracking(rooms: Rooms, run: Run) -> None:
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
     run : Run
     """
     learnt = learn_to_track(rooms, run)
@@ -59,9 +59,9 @@ def tracking(rooms: Rooms, run: Run) -> None:
 
 
 def _write(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
-    learnt: Learnt,
+    learnt: TrackerTraining,
     tracks: Mapping[str, Array],
     track: Track,
     metrics: Mapping[str, Mapping[str, float]],

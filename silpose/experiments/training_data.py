@@ -11,16 +11,15 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.dataset import Dataset, Scenes, Studio
-from silpose.dataset import Sequence as Take
+from silpose.core.progress import bar
+from silpose.dataset import Dataset, Renderer, SceneSampler, Take
 from silpose.evaluation import baselines
-from silpose.experiments.descriptors import describe
-from silpose.experiments.rooms import Rooms, studio_of
-from silpose.experiments.training import Described, described
-from silpose.progress import bar
+from silpose.experiments.setup import Components, studio_of
+from silpose.model.describe import describe
+from silpose.model.training import DescribedDataset, described
 from silpose.recording import record_study
+from silpose.recording.runs.run_folder import Run
 from silpose.regression import Regressor, check_methods
-from silpose.run import Run
 
 Array = NDArray[np.float64]
 
@@ -34,12 +33,12 @@ class Trial:
     variety: str
     frames: int
     seed: int
-    described: Described
+    described: DescribedDataset
     regressors: dict[str, Regressor]
 
 
 def training_data(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
     methods: Sequence[str],
     frames: Sequence[int],
@@ -51,7 +50,7 @@ def training_data(
 
     Parameters
     ----------
-    rooms : Rooms
+    rooms : Components
         Of motion, and best of strangers (``dataset=cross_performer``).
     run : Run
     methods : sequence of str
@@ -104,14 +103,14 @@ def training_data(
     run.write_metrics(trial.described.data.name, rooms.seed, metrics)
 
 
-def _scenes(studio: Studio, settings: Mapping[str, Any]) -> Scenes:
+def _scenes(studio: Renderer, settings: Mapping[str, Any]) -> SceneSampler:
     return replace(studio.scenes.plain(), **settings)
 
 
 def _trials(
-    rooms: Rooms,
+    rooms: Components,
     run: Run,
-    studio: Studio,
+    studio: Renderer,
     methods: Sequence[str],
     frames: Sequence[int],
     seeds: Sequence[int],

@@ -7,10 +7,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose import skeleton
-from silpose.motion.rest import LIMBS, smallest_rotation
-from silpose.motion.retarget import local_rotations
-from silpose.motion.track import Motion
+from silpose.core import skeleton
+from silpose.core.skeleton import LIMBS, local_rotations, smallest_rotation
+from silpose.motion.motion import Motion
 
 Array = NDArray[np.float64]
 

@@ -8,17 +8,15 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from silpose.recording.codebook_figure import codebook_picture
-    from silpose.recording.comparison import compare
-    from silpose.recording.context_space import ContextSpace
+    from silpose.recording.codebook import codebook_picture
+    from silpose.recording.ground_truth import Truth
     from silpose.recording.header import Header
-    from silpose.recording.modes import record_hypotheses, record_modes
-    from silpose.recording.notebook import show
-    from silpose.recording.pictures import film, picture
+    from silpose.recording.hypotheses import record_hypotheses, record_modes
+    from silpose.recording.influential_examples import Reasons
     from silpose.recording.read import Tracks, read_poses, read_tracks
-    from silpose.recording.reasons import Reasons
-    from silpose.recording.record import record_prediction, record_single_image
-    from silpose.recording.salvage import repair
+    from silpose.recording.runs.comparison import compare
+    from silpose.recording.runs.server import serve
+    from silpose.recording.single_image import record_prediction, record_single_image
     from silpose.recording.sinks import Sinks
     from silpose.recording.study import (
         record_bridges,
@@ -27,26 +25,26 @@ if TYPE_CHECKING:
         record_study,
     )
     from silpose.recording.tracking import record_extinction, record_tracking
-    from silpose.recording.truth import Truth
-    from silpose.recording.web import serve
+    from silpose.recording.viewer.notebook import show
+    from silpose.recording.viewer.repair import repair
+    from silpose.recording.viewer.screenshots import film, picture
 
 _HOMES = {
-    "codebook_figure": ("codebook_picture",),
-    "comparison": ("compare",),
-    "context_space": ("ContextSpace",),
+    "codebook": ("codebook_picture",),
+    "runs.comparison": ("compare",),
     "header": ("Header",),
-    "modes": ("record_hypotheses", "record_modes"),
-    "notebook": ("show",),
-    "pictures": ("film", "picture"),
+    "hypotheses": ("record_hypotheses", "record_modes"),
+    "viewer.notebook": ("show",),
+    "viewer.screenshots": ("film", "picture"),
     "read": ("Tracks", "read_poses", "read_tracks"),
-    "reasons": ("Reasons",),
-    "record": ("record_prediction", "record_single_image"),
-    "salvage": ("repair",),
+    "influential_examples": ("Reasons",),
+    "single_image": ("record_prediction", "record_single_image"),
+    "viewer.repair": ("repair",),
     "sinks": ("Sinks",),
     "study": ("record_bridges", "record_context_space", "record_features", "record_study"),
     "tracking": ("record_extinction", "record_tracking"),
-    "truth": ("Truth",),
-    "web": ("serve",),
+    "ground_truth": ("Truth",),
+    "runs.server": ("serve",),
 }
 
 # Rerun tells of a viewer that was closed in several lines; here it is one sentence.
@@ -74,7 +72,6 @@ def _when_wanted(module: str, name: str) -> Callable[..., None]:
 
 
 __all__ = [
-    "ContextSpace",
     "Header",
     "Reasons",
     "Sinks",

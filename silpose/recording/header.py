@@ -14,10 +14,10 @@ from typing import Any
 
 import yaml
 
-from silpose.headlines import Results, headlines
-from silpose.recording import entities
+from silpose.evaluation.headlines import Results, headlines
+from silpose.recording import entity_paths
+from silpose.recording.runs.setting_differences import flat, typed
 from silpose.recording.sinks import Sinks
-from silpose.run_settings import flat, typed
 
 
 @dataclass(frozen=True)
@@ -59,10 +59,10 @@ class Header:
     def texts(self) -> dict[str, str]:
         """Write what was seen, settings and headline results as markdown, by entity."""
         told = f"{self.words}\n\n{results_table(self.results)}" if self.results else self.words
-        texts = {entities.SEQUENCE: self.words, entities.METRICS: told}
+        texts = {entity_paths.SEQUENCE: self.words, entity_paths.METRICS: told}
         if self.settings:
             shown = yaml.safe_dump(self._choices(), sort_keys=False, allow_unicode=True)
-            texts[entities.SETTINGS] = f"```yaml\n{shown}```\n"
+            texts[entity_paths.SETTINGS] = f"```yaml\n{shown}```\n"
         return texts
 
     def properties(self) -> dict[str, dict[str, Any]]:

@@ -12,18 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 from rerun.chunk import Chunk, RrdReader
 
-from silpose.errors import InputError
-from silpose.recording import entities
+from silpose.core.errors import InputError
+from silpose.recording import entity_paths
 
 Array = NDArray[np.float64]
 
 _MAGIC = b"RRF2"  # how a file of Rerun's begins; its version follows
 _POSES = (
-    (entities.TRUE_POSE, "true"),
-    (entities.ESTIMATED_POSE, "estimated"),
-    (f"{entities.TRACKS}/([^/]+)/pose", "{1}"),
-    (f"{entities.MODES}/([^/]+)/pose", "mode_{1}"),
-    (f"{entities.HYPOTHESES}/([^/]+)/pose", "hypothesis_{1}"),
+    (entity_paths.TRUE_POSE, "true"),
+    (entity_paths.ESTIMATED_POSE, "estimated"),
+    (f"{entity_paths.TRACKS}/([^/]+)/pose", "{1}"),
+    (f"{entity_paths.MODES}/([^/]+)/pose", "mode_{1}"),
+    (f"{entity_paths.HYPOTHESES}/([^/]+)/pose", "hypothesis_{1}"),
 )
 
 
@@ -148,6 +148,6 @@ def _name(entity: str) -> str | None:
 
 
 def _name_of_error(entity: str) -> str | None:
-    if found := re.fullmatch(rf"/?(.*?){entities.ERROR}/(.+)", entity):
+    if found := re.fullmatch(rf"/?(.*?){entity_paths.ERROR}/(.+)", entity):
         return "/".join(filter(None, found.groups()))
     return None

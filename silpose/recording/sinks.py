@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 
 KINDS = ("file", "viewer", "web")
 

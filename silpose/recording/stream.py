@@ -11,12 +11,12 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
-from silpose.recording import entities
+from silpose.core.atomic_files import writing
+from silpose.recording import entity_paths
+from silpose.recording.frame_logger import log_text
 from silpose.recording.header import Header
-from silpose.recording.live import connect
-from silpose.recording.log import log_text
-from silpose.recording.views import hide
-from silpose.writing import writing
+from silpose.recording.layout.views import hide
+from silpose.recording.viewer.live import connect
 
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
 
@@ -38,7 +38,7 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
         batcher_config=rr.ChunkBatcherConfig(flush_tick=3600),
     )
     if not header.settings:
-        hide(layout.root_container, entities.SETTINGS)
+        hide(layout.root_container, entity_paths.SETTINGS)
     with writing(header.file) as path:
         live = connect(recording, header, layout)
         recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)

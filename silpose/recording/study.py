@@ -10,11 +10,12 @@ import rerun as rr
 from numpy.typing import NDArray
 
 from silpose.descriptor import Description
-from silpose.recording import blueprint, entities, palette
-from silpose.recording.codebook_figure import log_codebook
-from silpose.recording.context_space import ContextSpace
+from silpose.descriptor.context_space import ContextSpace
+from silpose.recording import entity_paths, palette
+from silpose.recording.codebook import log_codebook
+from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.header import Header
-from silpose.recording.log import Track
+from silpose.recording.layout import blueprints
 from silpose.recording.stream import recording_stream
 
 Array = NDArray[np.float64]
@@ -45,26 +46,26 @@ def record_study(
     masks : sequence of ndarray, each (H, W), optional
         What was seen.
     """
-    layout = blueprint.study(title if series else None, frames_per_second, bool(len(masks)))
+    layout = blueprints.study(title if series else None, frames_per_second, bool(len(masks)))
     with recording_stream(header, layout) as recording:
-        recording.log(entities.FIGURE, rr.EncodedImage(path=figure), static=True)
-        track = Track(recording, len(next(iter(series.values()), ())), frames_per_second)
+        recording.log(entity_paths.FIGURE, rr.EncodedImage(path=figure), static=True)
+        track = FrameLogger(recording, len(next(iter(series.values()), ())), frames_per_second)
         if len(masks):
             track.masks_alone(masks)
         for k, (what, errors) in enumerate(series.items()):
-            entity = entities.of(entities.ERROR, what)
+            entity = entity_paths.of(entity_paths.ERROR, what)
             track.series(entity, errors, what, palette.hue(k, len(series)), 1.5)
 
 
 def record_bridges(header: Header, figure: Path, norms: Array, objective: Array) -> None:
     """Write how columns vanish: ``norms (T, p)`` and ``objective (T,)`` of every iteration."""
-    with recording_stream(header, blueprint.bridges()) as recording:
-        recording.log(entities.FIGURE, rr.EncodedImage(path=figure), static=True)
-        track = Track(recording, len(norms), 1.0)
-        track.bars(entities.COLUMN_NORMS, norms, palette.ESTIMATED)
-        track.series(entities.OBJECTIVE, objective, "objective (Eq. 5)", palette.TRUE)
+    with recording_stream(header, blueprints.bridges()) as recording:
+        recording.log(entity_paths.FIGURE, rr.EncodedImage(path=figure), static=True)
+        track = FrameLogger(recording, len(norms), 1.0)
+        track.bars(entity_paths.COLUMN_NORMS, norms, palette.ESTIMATED)
+        track.series(entity_paths.OBJECTIVE, objective, "objective (Eq. 5)", palette.TRUE)
         kept = np.count_nonzero(norms, axis=1).astype(float)
-        track.series(entities.COLUMNS_LEFT, kept, "columns left", palette.ESTIMATED)
+        track.series(entity_paths.COLUMNS_LEFT, kept, "columns left", palette.ESTIMATED)
 
 
 def record_features(
@@ -86,13 +87,13 @@ def record_features(
         Which of them, by body part.
     frames_per_second : float
     """
-    layout = blueprint.features(list(marked), frames_per_second)
+    layout = blueprints.features(list(marked), frames_per_second)
     with recording_stream(header, layout) as recording:
-        track = Track(recording, len(masks), frames_per_second)
+        track = FrameLogger(recording, len(masks), frames_per_second)
         track.masks_alone(masks)
         for part, own in marked.items():
             chosen = [p[m] for p, m in zip(points, own, strict=True)]
-            track.points(f"{entities.FEATURES}/{part}", chosen, palette.ESTIMATED)
+            track.points(f"{entity_paths.FEATURES}/{part}", chosen, palette.ESTIMATED)
 
 
 def record_context_space(
@@ -119,19 +120,19 @@ def record_context_space(
     """
     colours = np.array([palette.hue(k, len(codebook)) for k in range(len(codebook))], np.uint8)
     nearest = [description.nearest for description in descriptions]
-    with recording_stream(header, blueprint.space(frames_per_second)) as recording:
+    with recording_stream(header, blueprints.space(frames_per_second)) as recording:
         for entity, points, colour, radius in (
-            (entities.SPACE_CONTEXTS, space.contexts, palette.MASK, 0.7),
-            (entities.SPACE_CENTRES, space.centres, colours, 4.0),
+            (entity_paths.SPACE_CONTEXTS, space.contexts, palette.MASK, 0.7),
+            (entity_paths.SPACE_CENTRES, space.centres, colours, 4.0),
         ):
             ink = rr.Points2D(_SCALE * points, colors=colour, radii=rr.Radius.ui_points(radius))
             recording.log(entity, ink, static=True)
-        track = Track(recording, len(masks), frames_per_second)
+        track = FrameLogger(recording, len(masks), frames_per_second)
         track.masks_alone(masks)
         edge_points = [description.points for description in descriptions]
-        track.coloured_points(entities.EDGE_POINTS, edge_points, colours, nearest, 2.5)
+        track.coloured_points(entity_paths.EDGE_POINTS, edge_points, colours, nearest, 2.5)
         plane = [_SCALE * points for points in space.points]
-        track.coloured_points(entities.SPACE_POINTS, plane, colours, nearest, 2.0)
+        track.coloured_points(entity_paths.SPACE_POINTS, plane, colours, nearest, 2.0)
         z = np.stack([description.z for description in descriptions])
-        track.bars(entities.HISTOGRAM, 100 * z / z.sum(axis=1, keepdims=True), palette.NEUTRAL)
+        track.bars(entity_paths.HISTOGRAM, 100 * z / z.sum(axis=1, keepdims=True), palette.NEUTRAL)
         log_codebook(track, codebook, angular_bins, z)

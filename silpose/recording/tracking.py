@@ -9,13 +9,14 @@ import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
 
-from silpose.dataset import Sequence as Take
-from silpose.pose import PoseSpace
-from silpose.recording import blueprint, entities, palette
+from silpose.core.pose_space import PoseSpace
+from silpose.dataset import Take
+from silpose.recording import entity_paths, palette
+from silpose.recording.frame_logger import FrameLogger
+from silpose.recording.ground_truth import Truth
 from silpose.recording.header import Header
-from silpose.recording.log import Track as Lines
+from silpose.recording.layout import blueprints
 from silpose.recording.stream import recording_stream
-from silpose.recording.truth import Truth
 from silpose.tracking import Track
 
 Array = NDArray[np.float64]
@@ -51,27 +52,29 @@ def record_tracking(
         Heading of each key pose that beliefs are over, degrees.
     space : PoseSpace
     """
-    layout = blueprint.tracking(
+    layout = blueprints.tracking(
         list(tracks), take.frames_per_second, space.metrics[0], take.masks is not None
     )
     with recording_stream(header, layout) as recording:
-        lines = Lines(recording, len(take), take.frames_per_second)
+        lines = FrameLogger(recording, len(take), take.frames_per_second)
         if take.masks is not None:
             lines.masks_alone(take.masks)
         place = _APART * (np.arange(len(tracks)) - (len(tracks) - 1) / 2)
         places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
         height = truth.root * (0, 1, 0)
-        _bodies(lines, entities.TRUE_SKELETON, [truth.poses] * len(tracks), places, height, space)
-        lines.poses(entities.TRUE_POSE, truth.poses, space)
-        lines.series(entities.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
+        _bodies(
+            lines, entity_paths.TRUE_SKELETON, [truth.poses] * len(tracks), places, height, space
+        )
+        lines.poses(entity_paths.TRUE_POSE, truth.poses, space)
+        lines.series(entity_paths.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
         for where, (method, x) in zip(places, tracks.items(), strict=True):
             colour = palette.METHODS.get(method, palette.ESTIMATED)
-            entity = entities.of(entities.TRACKS, method)
+            entity = entity_paths.of(entity_paths.TRACKS, method)
             _bodies(lines, f"{entity}/skeleton", [x], [where], height, space, colour)
             lines.poses(f"{entity}/pose", x, space)
             lines.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
         recording.log(
-            entities.TRACK_NAMES,
+            entity_paths.TRACK_NAMES,
             rr.Points3D(
                 places + np.array([0, _OVERHEAD, 0]),
                 labels=list(tracks),
@@ -83,8 +86,8 @@ def record_tracking(
         )
         middles = np.arange(-180 + _BIN / 2, 180, _BIN)
         shares = _by_heading(track.beliefs, facing)
-        lines.bars(entities.BELIEF, shares, palette.ESTIMATED, middles)
-        lines.states(entities.STATE, track.state, palette.STATES)
+        lines.bars(entity_paths.BELIEF, shares, palette.ESTIMATED, middles)
+        lines.states(entity_paths.STATE, track.state, palette.STATES)
         lines.errors(truth.errors)
 
 
@@ -95,7 +98,7 @@ def _by_heading(beliefs: Array, facing: Array) -> Array:
 
 
 def _bodies(
-    lines: Lines,
+    lines: FrameLogger,
     entity: str,
     poses: list[Array],
     places: Array | list[Array],
@@ -138,12 +141,14 @@ def record_extinction(
         Likewise.
     frames_per_second : float
     """
-    layout = blueprint.extinction(list(activations), frames_per_second)
+    layout = blueprints.extinction(list(activations), frames_per_second)
     with recording_stream(header, layout) as recording:
-        recording.log(entities.FIGURE, rr.EncodedImage(path=figure), static=True)
+        recording.log(entity_paths.FIGURE, rr.EncodedImage(path=figure), static=True)
         frames = len(next(iter(errors.values())))
-        lines = Lines(recording, frames, frames_per_second)
+        lines = FrameLogger(recording, frames, frames_per_second)
         for k, (method, values) in enumerate(activations.items()):
             colour = palette.hue(k, len(activations))
-            lines.bars(entities.of(entities.KERNELS, method), values, colour)
-            lines.series(entities.of(entities.ERROR, method), errors[method], method, colour)
+            lines.bars(entity_paths.of(entity_paths.KERNELS, method), values, colour)
+            lines.series(
+                entity_paths.of(entity_paths.ERROR, method), errors[method], method, colour
+            )

@@ -10,21 +10,21 @@
 """
 
 from silpose.regression.basis import Basis
-from silpose.regression.follow import Steps, follow_bridges
-from silpose.regression.mixture import MixtureOfRegressors
-from silpose.regression.mixture_choice import MixtureSettings, choose_mixture
-from silpose.regression.modes import among_themselves
+from silpose.regression.mixture.mixture import MixtureOfRegressors
+from silpose.regression.mixture.modes import normalised
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
-from silpose.regression.rvm import RelevanceVectorRegressor
-from silpose.regression.selection import Candidates, Chosen
-from silpose.regression.settings import (
+from silpose.regression.selection.mixtures import MixtureSettings, choose_mixture
+from silpose.regression.selection.regressors import Candidates, Chosen
+from silpose.regression.selection.settings import (
     BasisSettings,
     RidgeSettings,
     RvmSettings,
     SvmSettings,
     check_methods,
 )
+from silpose.regression.sparse.bridge_path import BridgePath, follow_bridges
+from silpose.regression.sparse.rvm import RelevanceVectorRegressor
 from silpose.regression.svm import SupportVectorRegressor
 
 REGRESSORS: dict[str, type[Regressor]] = {
@@ -36,6 +36,7 @@ __all__ = [
     "REGRESSORS",
     "Basis",
     "BasisSettings",
+    "BridgePath",
     "Candidates",
     "Chosen",
     "MixtureOfRegressors",
@@ -45,11 +46,10 @@ __all__ = [
     "RidgeRegressor",
     "RidgeSettings",
     "RvmSettings",
-    "Steps",
     "SupportVectorRegressor",
     "SvmSettings",
-    "among_themselves",
     "check_methods",
     "choose_mixture",
     "follow_bridges",
+    "normalised",
 ]

@@ -14,7 +14,7 @@ from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.metrics import pairwise
 from sklearn.utils.validation import check_is_fitted, validate_data
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 
 Array = NDArray[np.float64]
 

@@ -11,10 +11,10 @@ from scipy.linalg import cho_factor, cho_solve
 from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin, clone
 from sklearn.utils.validation import check_is_fitted, validate_data
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
+from silpose.core.serialisation import part, under
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import Indices, NormalEquations
-from silpose.saved import part, under
 
 Array = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor

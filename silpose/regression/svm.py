@@ -7,7 +7,7 @@ from joblib import Parallel, delayed
 from numpy.typing import NDArray
 from sklearn.svm import SVR
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression.basis import Basis
 from silpose.regression.regressor import Regressor
 

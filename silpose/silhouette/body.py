@@ -12,8 +12,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial.transform import Rotation
 
-from silpose.errors import InputError
-from silpose.skeleton import JOINTS, spine_thirds
+from silpose.core.errors import InputError
+from silpose.core.skeleton import JOINTS, spine_thirds
 
 Array = NDArray[np.float32]
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from silpose.errors import InputError
-from silpose.pose import wrap_degrees
+from silpose.core.errors import InputError
+from silpose.core.pose_space import wrap_degrees
 
 Array = NDArray[np.float64]
 

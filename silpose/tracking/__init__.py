@@ -1,29 +1,23 @@
 """Poses over time: dynamics, state-sensitive regression, trackers and their rivals (section V).
 
 >>> import numpy as np
->>> from silpose.pose import ANGLES
+>>> from silpose.core.pose_space import ANGLES
 >>> phase = np.linspace(0, 12 * np.pi, 90)
 >>> angles = np.zeros((90, 54))
 >>> angles[:, 0], angles[:, 42] = np.degrees(phase) / 6, 20 * np.sin(phase)
 >>> z = np.exp(-((np.sin(phase)[:, None] - np.linspace(-1, 1, 8)) ** 2))
->>> tracker = Tracker(keep=0.5).fit([(z, ANGLES.from_angles(angles))])
+>>> tracker = BeliefTracker(keep=0.5).fit([(z, ANGLES.from_angles(angles))])
 >>> track = tracker.track(z, lag=5)
 >>> print(track.x.shape, track.state[-1])
 (90, 55) tracking
 """
 
-from silpose.tracking.choose import (
-    choose_dynamics,
-    choose_joint,
-    choose_rivals,
-    choose_tracker,
-)
-from silpose.tracking.choose_hypotheses import choose_hypotheses
+from silpose.tracking.belief_tracker import BeliefTracker
 from silpose.tracking.dynamics import SecondOrderDynamics
-from silpose.tracking.multiple_hypothesis import MultipleHypothesisTracker
-from silpose.tracking.point import PointTracker
-from silpose.tracking.selection import GIVEN, Estimate, Selection
-from silpose.tracking.settings import (
+from silpose.tracking.multiple_hypothesis_tracker import MultipleHypothesisTracker
+from silpose.tracking.selection.hypotheses import choose_hypotheses
+from silpose.tracking.selection.search import GIVEN, Estimate, Selection
+from silpose.tracking.selection.settings import (
     DynamicsSettings,
     HypothesesSettings,
     JointSettings,
@@ -31,32 +25,38 @@ from silpose.tracking.settings import (
     TrackerSettings,
     TrackingSettings,
 )
-from silpose.tracking.stacking import AnyTracker
+from silpose.tracking.selection.stacking import AnyTracker
+from silpose.tracking.selection.trackers import (
+    choose_dynamics,
+    choose_joint,
+    choose_rivals,
+    choose_tracker,
+)
+from silpose.tracking.single_pose_tracker import SinglePoseTracker
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
-from silpose.tracking.tracker import Tracker
-from silpose.tracking.tracks import ManyTracks, Track
+from silpose.tracking.track import ManyTracks, Track
 
 TRACKERS: dict[str, type[AnyTracker]] = {
-    kind.__name__: kind for kind in (Tracker, MultipleHypothesisTracker)
+    kind.__name__: kind for kind in (BeliefTracker, MultipleHypothesisTracker)
 }
 
 __all__ = [
     "GIVEN",
     "TRACKERS",
     "AnyTracker",
+    "BeliefTracker",
     "DynamicsSettings",
     "Estimate",
     "HypothesesSettings",
     "JointSettings",
     "ManyTracks",
     "MultipleHypothesisTracker",
-    "PointTracker",
     "RivalSettings",
     "SecondOrderDynamics",
     "Selection",
+    "SinglePoseTracker",
     "StateSensitiveRegressor",
     "Track",
-    "Tracker",
     "TrackerSettings",
     "TrackingSettings",
     "choose_dynamics",

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 
 Array = NDArray[np.float64]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 
 
 def check_rate(trained: float, given: float | None) -> None:

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.errors import InputError
-from silpose.pose import SPACES
-from silpose.saved import State, part, plain, restored, state_of, under
-from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoses, Sight
+from silpose.core.errors import InputError
+from silpose.core.pose_space import SPACES
+from silpose.core.serialisation import State, part, plain, restored, state_of, under
+from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoseComparison, KeyPoses
 from silpose.tracking.local_regression import regress_locally
-from silpose.tracking.silhouette_alone import SilhouetteRegressor
+from silpose.tracking.silhouette_regressor import SilhouetteRegressor
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ class KeyPoseTracker(BaseEstimator):
                 raise InputError(f"{name} is a share from 0 to 1, not {getattr(self, name)}")
         self.examples_, self.silhouette_alone_ = keys.examples, keys.silhouette_alone
 
-    def _regressed(self, weights: Array, sight: Sight) -> Array:
+    def _regressed(self, weights: Array, sight: KeyPoseComparison) -> Array:
         """Estimate poses (F, D), from weights (F, K) of key poses and from what is seen."""
         own, seen = self.examples_, ~sight.blank
         rows = zip(weights, sight.descriptors, strict=True)

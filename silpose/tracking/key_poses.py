@@ -15,17 +15,17 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
 from sklearn.cluster import KMeans
 
-from silpose.errors import InputError
-from silpose.pose import PoseSpace
-from silpose.regression.reduction import whitening
-from silpose.tracking.silhouette_alone import SilhouetteRegressor
+from silpose.core.errors import InputError
+from silpose.core.pose_space import PoseSpace
+from silpose.regression.mixture.reduction import whitening
+from silpose.tracking.silhouette_regressor import SilhouetteRegressor
 
 Array = NDArray[np.float64]
 Examples = Sequence[tuple[Array, Array]]
 
 
 @dataclass(frozen=True)
-class Sight:
+class KeyPoseComparison:
     """Frames as they compare with key poses.
 
     Attributes
@@ -78,7 +78,7 @@ class KeyExamples:
         """Cos and sin of each key pose's heading, shape (K, 2)."""
         return self.poses[:, :2] * self.scale[:2] + self.mean[:2]
 
-    def see(self, z: ArrayLike) -> Sight:
+    def see(self, z: ArrayLike) -> KeyPoseComparison:
         """Compare descriptors (F, d); what is not finite was not seen."""
         z, columns = np.asarray(z, dtype=float), len(self.whitening)
         if z.ndim != 2 or z.shape[1] != columns:
@@ -89,7 +89,7 @@ class KeyExamples:
         seen = np.sqrt(np.where(blank[:, None], 0, np.maximum(z, 0))) @ self.whitening
         distances = self.descriptor_distances(seen)
         seen[blank], distances[blank] = np.nan, 0
-        return Sight(seen, distances)
+        return KeyPoseComparison(seen, distances)
 
     def pose_distances(self, x: Array) -> Array:
         """Mean squared difference of poses (n, D) to key poses, shape (n, K)."""

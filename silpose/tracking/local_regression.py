@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.tracking.key_poses import KeyExamples, Sight, kernel
+from silpose.tracking.key_poses import KeyExamples, KeyPoseComparison, kernel
 
 Array = NDArray[np.float64]
 
@@ -49,7 +49,11 @@ def regress_locally(
 
 
 def weights_around(
-    rough: Array, sight: Sight, examples: KeyExamples, pose_width: float, descriptor_width: float
+    rough: Array,
+    sight: KeyPoseComparison,
+    examples: KeyExamples,
+    pose_width: float,
+    descriptor_width: float,
 ) -> Array:
     """Weigh key poses by a pose that is known roughly, and by what is seen.
 
@@ -59,7 +63,7 @@ def weights_around(
     Parameters
     ----------
     rough : ndarray, shape (F, D)
-    sight : Sight
+    sight : KeyPoseComparison
         Of as many frames.
     examples : KeyExamples
     pose_width, descriptor_width : float

@@ -11,10 +11,10 @@ from sklearn.base import BaseEstimator
 from sklearn.neighbors import NearestNeighbors
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.errors import InputError
-from silpose.regression.bridges import Bridges
-from silpose.regression.elimination import sparsest_within
+from silpose.core.errors import InputError
 from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.sparse.elimination import sparsest_within
+from silpose.regression.sparse.quadratic_bridges import Bridges
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import squared_distances
 

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 from scipy.io import savemat
 
+from silpose.core.errors import InputError
+from silpose.core.pose_space import AUTHORS_JOINTS
 from silpose.dataset import AgarwalFile, poses
 from silpose.dataset.agarwal import LENGTHS
-from silpose.errors import InputError
-from silpose.pose import AUTHORS_JOINTS
 
 
 @pytest.fixture(scope="module")

@@ -2,12 +2,12 @@ import numpy as np
 import pytest
 from synthetic import motion
 
-from silpose.dataset import CrossCamera, Scenes, synthesise
-from silpose.errors import InputError
+from silpose.core.errors import InputError
+from silpose.dataset import CrossCamera, SceneSampler, synthesise
 from silpose.silhouette import Body, Camera
 
 SMALL = Body(level=2), Camera(width=48, height=48)
-TRAINING = Scenes(elevation=[-5, 20], focal_length=[1.6, 2.2], shape=[0, 3])
+TRAINING = SceneSampler(elevation=[-5, 20], focal_length=[1.6, 2.2], shape=[0, 3])
 
 
 def test_the_tests_cameras_and_bodies_are_outside_the_trainings():
@@ -31,7 +31,7 @@ def test_the_tests_cameras_and_bodies_are_outside_the_trainings():
         ({"elevation": [15, 30]}, TRAINING, "elevation"),
         ({"focal_length": [2.2, 3]}, TRAINING, "focal_length"),
         ({"shape": [0, 5]}, TRAINING, "shape"),
-        ({"elevation": [0, 10]}, Scenes(), "elevation"),
+        ({"elevation": [0, 10]}, SceneSampler(), "elevation"),
     ],
 )
 def test_ranges_that_meet_are_refused(settings, training, name):

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from synthetic import motion
 
-from silpose.dataset import CrossPerformer, Dataset, Scenes, photograph, synthesise
-from silpose.errors import InputError
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
+from silpose.dataset import CrossPerformer, Dataset, SceneSampler, photograph, synthesise
 from silpose.motion import MotionFolder, WalkerTakes
-from silpose.pose import ANGLES
 from silpose.silhouette import Body, Camera
 
 SMALL = Body(level=2), Camera(width=48, height=48)
@@ -19,7 +19,7 @@ def take(name, performer, frames=20):
 
 def data(takes, **settings):
     splitter = CrossPerformer(settings.pop("test", ["c"]))
-    return synthesise(takes, splitter, *SMALL, "d", Scenes(**settings))
+    return synthesise(takes, splitter, *SMALL, "d", SceneSampler(**settings))
 
 
 def test_strangers_test_and_nobody_validates():

@@ -1,7 +1,7 @@
 import pytest
 
+from silpose.core.errors import InputError
 from silpose.dataset import SamePerformer
-from silpose.errors import InputError
 
 WALKER = ["train_1", "train_2", "validation", "test"]
 SPIRALS = ["wd2_spiral_walk_fast12", "wd2_spiral_walk_normal05", "wd2_spiral_walk_normal08"]

@@ -2,11 +2,11 @@ import numpy as np
 import pytest
 from synthetic import motion
 
-from silpose.dataset import Scenes
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
+from silpose.dataset import SceneSampler
 from silpose.dataset.synthesis import synthesise
-from silpose.errors import InputError
 from silpose.motion import Motion
-from silpose.pose import ANGLES
 from silpose.silhouette import Body, Camera
 
 BODY, CAMERA = Body(level=2), Camera(width=48, height=48, orbit=40.0)
@@ -20,7 +20,7 @@ def walk(name, performer, frames):
 
 def test_nothing_is_drawn_by_default():
     takes = [motion("a", 5), motion("b", 7)]
-    shots = Scenes().shots(takes, BODY, CAMERA)
+    shots = SceneSampler().shots(takes, BODY, CAMERA)
     assert [(s.motion, s.body, s.camera, s.name) for s in shots] == [
         (take, BODY, CAMERA, take.name) for take in takes
     ]
@@ -28,7 +28,7 @@ def test_nothing_is_drawn_by_default():
 
 def test_draws_stay_in_their_ranges_and_differ():
     ranges = {"elevation": [-5, 25], "focal_length": [1.5, 2.2], "distance": [4, 6]}
-    scenes = Scenes(frames=300, shape=[1, 2], **ranges)
+    scenes = SceneSampler(frames=300, shape=[1, 2], **ranges)
     shots = scenes.shots([motion("a", 10)], BODY, CAMERA)
     assert len(shots) == 30
     for name, (low, high) in ranges.items():
@@ -47,7 +47,7 @@ def test_draws_stay_in_their_ranges_and_differ():
 def test_every_performer_gives_the_same_number_of_frames():
     takes = [walk("a1", "a", 30), walk("a2", "a", 10), walk("b1", "b", 200), walk("c1", "c", 7)]
     for frames in (30, 100, 601):
-        shots = Scenes(frames=frames).shots(takes, BODY, CAMERA)
+        shots = SceneSampler(frames=frames).shots(takes, BODY, CAMERA)
         counts = {p: sum(len(s.motion) for s in shots if s.motion.performer == p) for p in "abc"}
         assert sum(counts.values()) == frames
         assert max(counts.values()) - min(counts.values()) <= 1
@@ -57,7 +57,7 @@ def test_every_performer_gives_the_same_number_of_frames():
 
 
 def test_straight_walks_show_all_headings_evenly():
-    scenes = Scenes(frames=3000, around=True)
+    scenes = SceneSampler(frames=3000, around=True)
     takes = [walk(f"{p}{k}", p, 40) for p in "ab" for k in range(3)]
     split = {take.name: take.performer for take in takes}
     data = synthesise([*takes, walk("t", "c", 30)], _Last(), BODY, CAMERA, "d", scenes)
@@ -83,7 +83,7 @@ def test_mirrored_sequences_are_mirror_images():
     angles = np.zeros((3, 54))
     angles[:, 3] = 20
     take = Motion("m", "p", 15.0, angles, np.zeros((3, 3)))
-    shots = Scenes(frames=12, mirror=True).shots([take], BODY, CAMERA)
+    shots = SceneSampler(frames=12, mirror=True).shots([take], BODY, CAMERA)
     leaning = {tuple(np.round(shot.motion.angles[0], 6)) for shot in shots}
     assert len(leaning) == 2
 
@@ -98,4 +98,4 @@ def test_mirrored_sequences_are_mirror_images():
 )
 def test_impossible_ranges_are_named(settings, message):
     with pytest.raises(InputError, match=message):
-        Scenes(**settings)
+        SceneSampler(**settings)

@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
 
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
 from silpose.dataset import Dataset, photograph, poses
-from silpose.errors import InputError
 from silpose.motion import Motion
-from silpose.pose import ANGLES
 from silpose.silhouette import Camera
 
 

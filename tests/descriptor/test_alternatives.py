@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
+from silpose.core.errors import InputError
 from silpose.descriptor import AlignedMask, HuMoments
-from silpose.errors import InputError
 
 
 @pytest.mark.parametrize("descriptor", [HuMoments(), AlignedMask(components=20)])

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
+from silpose.core.errors import InputError
 from silpose.descriptor.boundary import as_mask, boundary_pixels, extent, spaced_indices
-from silpose.errors import InputError
 
 
 def test_components_and_holes_all_belong_to_the_boundary():

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
+from silpose.core.errors import InputError
 from silpose.descriptor.codebook import METHODS, learn_codebook, round_the_wheel, typical_distance
-from silpose.errors import InputError
 
 
 @pytest.fixture

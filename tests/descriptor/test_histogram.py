@@ -7,10 +7,10 @@ from hypothesis.extra.numpy import arrays
 from omegaconf import OmegaConf
 from sklearn.exceptions import NotFittedError
 
-from silpose.config import load
+from silpose.app.config import load
+from silpose.core.errors import InputError
 from silpose.descriptor import ShapeContextHistogram
 from silpose.descriptor.histogram import NORMALISATIONS
-from silpose.errors import InputError
 
 
 @pytest.fixture(scope="module")

@@ -10,8 +10,8 @@ import pytest
 from sklearn.utils.estimator_checks import parametrize_with_checks
 from sklearn.utils.validation import validate_data
 
+from silpose.core.errors import InputError
 from silpose.descriptor import ShapeContextHistogram
-from silpose.errors import InputError
 
 HEIGHT = 12
 

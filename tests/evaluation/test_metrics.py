@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
+from silpose.core.pose_space import ANGLES
 from silpose.evaluation import baselines, measure
 from silpose.evaluation.baselines import oracle
-from silpose.pose import ANGLES
 
 
 @pytest.fixture

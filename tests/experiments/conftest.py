@@ -7,8 +7,8 @@ import cv2
 import pytest
 from rerun.chunk import RrdReader
 
-from silpose.app import run_experiment
-from silpose.config import load
+from silpose.app.config import load
+from silpose.app.main import run_experiment
 
 SMALL = (
     "motion.seconds=3",

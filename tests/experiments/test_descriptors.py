@@ -2,12 +2,12 @@ import numpy as np
 import pytest
 from synthetic import motion
 
-from silpose.dataset import Photographs, photograph
+from silpose.core.errors import InputError
+from silpose.dataset import LazyMasks, photograph
 from silpose.descriptor import ShapeContextHistogram
-from silpose.errors import InputError
 from silpose.experiments import descriptors
-from silpose.experiments.descriptors import describe, learn_descriptor
-from silpose.experiments.shelf import Shelf
+from silpose.model.describe import describe, learn_descriptor
+from silpose.model.descriptor_cache import DescriptorCache
 
 
 @pytest.fixture(scope="module")
@@ -36,13 +36,13 @@ def test_blocks_and_processes_change_nothing(takes, histogram, monkeypatch):
 
 def test_no_more_than_a_block_of_masks_is_held(takes, histogram, monkeypatch):
     held = []
-    walk = Photographs.__iter__
+    walk = LazyMasks.__iter__
 
     def counted(self):
         held.append(len(self))
         return walk(self)
 
-    monkeypatch.setattr(Photographs, "__iter__", counted)
+    monkeypatch.setattr(LazyMasks, "__iter__", counted)
     monkeypatch.setattr(descriptors, "_BLOCK", 8)
     describe(histogram, takes)
     assert max(held) == 8 and sum(held) == 57
@@ -62,7 +62,7 @@ def test_a_codebook_is_learnt_from_an_even_share(takes, monkeypatch):
 
 
 def test_a_shelf_gives_back_what_was_stored(tmp_path, takes, histogram):
-    shelf = Shelf.of(tmp_path / "kept", {"seed": 0}, [])
+    shelf = DescriptorCache.of(tmp_path / "kept", {"seed": 0}, [])
     lengths = [len(take) for take in takes]
     assert shelf.fetch(lengths) is None
     z = describe(histogram, takes)
@@ -77,14 +77,17 @@ def test_a_shelf_gives_back_what_was_stored(tmp_path, takes, histogram):
 def test_whatever_changes_changes_the_place(tmp_path):
     (tmp_path / "a.bvh").write_text("one")
     files = [tmp_path / "a.bvh"]
-    shelves = [Shelf.of("kept", {"seed": 0}, files), Shelf.of("kept", {"seed": 1}, files)]
+    shelves = [
+        DescriptorCache.of("kept", {"seed": 0}, files),
+        DescriptorCache.of("kept", {"seed": 1}, files),
+    ]
     (tmp_path / "a.bvh").write_text("other")
-    shelves.append(Shelf.of("kept", {"seed": 0}, files))
+    shelves.append(DescriptorCache.of("kept", {"seed": 0}, files))
     assert len({shelf.file for shelf in shelves}) == 3
 
 
 def test_a_damaged_shelf_is_named(tmp_path):
-    shelf = Shelf.of(tmp_path, {}, [])
+    shelf = DescriptorCache.of(tmp_path, {}, [])
     shelf.file.write_bytes(b"nonsense")
     with pytest.raises(InputError, match=r"is damaged .* remove it"):
         shelf.fetch([1])

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 import silpose
+from silpose.core.pose_space import ANGLES
+from silpose.core.skeleton import ANGLES as NAMES
 from silpose.evaluation import heading_errors
-from silpose.experiments.explanations import depth_mirrored, differences, kinds_of
-from silpose.experiments.failures import Trial, cuts
+from silpose.evaluation.pose_differences import depth_mirrored, differences, kinds_of
+from silpose.evaluation.recovery import Trial, cuts
 from silpose.experiments.mixture import reliability_of
-from silpose.pose import ANGLES
-from silpose.skeleton import ANGLES as NAMES
 
 FAST = (
     "regression.basis.width=2",

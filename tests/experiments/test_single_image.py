@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 from omegaconf import OmegaConf
 
-from silpose.finished import load_run
+from silpose.recording.runs.finished_run import load_run
 
 BASELINES = ["mean_pose", "nearest", "knn", "oracle"]
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from silpose.config import load
-from silpose.errors import InputError
+from silpose.app.config import load
+from silpose.core.errors import InputError
 from silpose.motion import WalkerTakes, save_bvh
 
 
@@ -202,7 +202,7 @@ def test_cross_performer_keeps_its_descriptors(study, three_walkers, tmp_path, m
         "regression.basis.width=4",
     )
     first, _ = study("single_image", *settings)
-    monkeypatch.setattr("silpose.experiments.training.describe", None)  # which is not needed again
+    monkeypatch.setattr("silpose.model.training.describe", None)  # which is not needed again
     again, _ = study("single_image", *settings, "recording.name=001")
     assert again == first
     assert len(list((tmp_path / "kept").iterdir())) == 1

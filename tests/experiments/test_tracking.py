@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import silpose
-from silpose.app import run_experiment
-from silpose.config import load
-from silpose.experiments.trackers import Learnt
-from silpose.pose import ANGLES
-from silpose.tracking.belief import STATES
+from silpose.app.config import load
+from silpose.app.main import run_experiment
+from silpose.core.pose_space import ANGLES
+from silpose.model.tracker_training import TrackerTraining
+from silpose.tracking.belief_filter import STATES
 
 FAST = (
     "regression.basis.width=2",
@@ -35,7 +35,7 @@ def test_poses_that_are_given_are_no_merit():
     x = ANGLES.from_angles(np.random.default_rng(0).normal(0, 20, (9, 54)))
     takes = [(np.ones((9, 4)), x), (np.ones((6, 4)), x[:6])]
     described = SimpleNamespace(data=SimpleNamespace(space=ANGLES), train=takes, test=takes)
-    learnt = Learnt(described, None, None, None)
+    learnt = TrackerTraining(described, None, None, None)
     tracks = learnt.follow({"repeats": lambda z, start: np.repeat(start[-1:], len(z), axis=0)})
     error = learnt.measure(tracks)["repeats"]["mean_angular_error_deg"]
     unknown = np.concatenate([x[2:], x[2:6]])

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from silpose.skeleton import OFFSETS, PARENTS
+from silpose.core.skeleton import OFFSETS, PARENTS
 
 UNIT = 0.02  # metres per unit of the file
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from silpose import skeleton
-from silpose.errors import InputError
+from silpose.core import skeleton
+from silpose.core.errors import InputError
+from silpose.core.pose_space import wrap_degrees
+from silpose.core.skeleton import LIMBS
 from silpose.motion import MotionFolder
-from silpose.motion.rest import LIMBS
-from silpose.pose import wrap_degrees
 
 SMPL_PARENTS = (-1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19)
 SMPL = {"root": 0, "left_hip": 1, "right_hip": 2, "left_knee": 4, "right_knee": 5,

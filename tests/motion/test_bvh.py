@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.motion import MotionFolder
 
 

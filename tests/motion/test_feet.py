@@ -1,7 +1,7 @@
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from silpose.motion.feet import level_sole
+from silpose.motion.capture.foot_levelling import level_sole
 
 
 def walking_ankles():

@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.motion import Motion, Straight, WalkerModel
-from silpose.motion.fit_walker import fit, principal_components
-from silpose.motion.walker_model import FILE, pack, unpack
+from silpose.motion.walker.fit_walker import fit, principal_components
+from silpose.motion.walker.walker_model import FILE, pack, unpack
 
 
 def test_fit_recovers_walkers_and_their_variation(tmp_path):

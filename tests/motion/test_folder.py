@@ -3,9 +3,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
+from silpose.core.skeleton import ANGLES
 from silpose.motion import MotionFolder
-from silpose.skeleton import ANGLES
 
 
 def refusal(folder, **settings):

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose.motion import Circle, Motion, Straight, Walker, WalkerModel
-from silpose.motion.gait import fit_harmonics, mirrored, steady_steps
+from silpose.motion.walker.gait import fit_harmonics, mirrored, steady_steps
 
 
 @pytest.fixture(scope="module")

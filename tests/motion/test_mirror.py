@@ -1,9 +1,9 @@
 import numpy as np
 
-from silpose import skeleton
+from silpose.core import skeleton
+from silpose.core.pose_space import wrap_degrees
+from silpose.core.skeleton import LIMBS
 from silpose.motion import Motion, mirrored
-from silpose.motion.rest import LIMBS
-from silpose.pose import wrap_degrees
 
 
 def bones(motion):

@@ -3,13 +3,12 @@ import warnings
 import numpy as np
 import pytest
 
-from silpose import skeleton
+from silpose.core import skeleton
+from silpose.core.pose_space import wrap_degrees
+from silpose.core.skeleton import ANGLES, LIMBS
 from silpose.motion import MotionFolder
-from silpose.motion.bvh import bvh_joints, read_bvh, source_motion
-from silpose.motion.joint_names import common_names
-from silpose.motion.rest import LIMBS
-from silpose.pose import wrap_degrees
-from silpose.skeleton import ANGLES
+from silpose.motion.capture.bvh import bvh_joints, read_bvh, source_motion
+from silpose.motion.capture.joint_names import common_names
 
 
 def directions(points, names, start, end):
@@ -150,8 +149,8 @@ def test_the_motion_alone_tells_the_legs_rest_pose(shared_mocap, monkeypatch):
     """Where a file has a T-pose, both ways agree about the legs, but for the pelvis' tilt."""
     root = shared_mocap / "snu"
     known = MotionFolder(root).takes()
-    monkeypatch.setattr("silpose.motion.rest._is_rest_pose", lambda pose: False)
-    monkeypatch.setattr("silpose.motion.rest._is_t_pose", lambda pose: False)
+    monkeypatch.setattr("silpose.motion.capture.rest_pose._is_rest_pose", lambda pose: False)
+    monkeypatch.setattr("silpose.motion.capture.rest_pose._is_t_pose", lambda pose: False)
     for one, other in zip(known, MotionFolder(root).takes(), strict=True):
         if "spiral" not in one.name:
             continue

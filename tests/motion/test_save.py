@@ -2,8 +2,8 @@ import numpy as np
 import pybvh
 import pytest
 
-from silpose import skeleton
-from silpose.errors import InputError
+from silpose.core import skeleton
+from silpose.core.errors import InputError
 from silpose.motion import Motion, MotionFolder, save_bvh
 
 

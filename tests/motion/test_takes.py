@@ -3,7 +3,7 @@ import inspect
 import numpy as np
 import pytest
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.motion import WalkerTakes
 
 

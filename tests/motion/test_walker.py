@@ -1,10 +1,10 @@
 import numpy as np
 import pytest
 
-from silpose import skeleton
+from silpose.core import skeleton
+from silpose.core.pose_space import wrap_degrees
+from silpose.core.skeleton import ANGLES
 from silpose.motion import Circle, Straight, Walker, WalkerModel
-from silpose.pose import wrap_degrees
-from silpose.skeleton import ANGLES
 
 
 @pytest.fixture(scope="module")

@@ -4,9 +4,9 @@ from dataclasses import replace
 import pytest
 from rerun.chunk import RrdReader
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.recording import compare, entities, read_poses
-from silpose.recording.pictures import opened
+from silpose.recording.viewer.screenshots import opened
 
 
 @pytest.fixture

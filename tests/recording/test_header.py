@@ -1,7 +1,7 @@
 import re
 from pathlib import Path
 
-from silpose.config import load
+from silpose.app.config import load
 from silpose.recording import Header, entities
 
 SETTINGS = """\

@@ -2,7 +2,7 @@ import cv2
 import pytest
 from PIL import Image
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.recording import film, picture
 
 

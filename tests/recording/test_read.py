@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose import load_poses
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.recording import Header, read_poses, read_tracks, record_prediction
 
 

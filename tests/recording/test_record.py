@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from rerun.chunk import RrdReader
 
+from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
-from silpose.pose import ANGLES
 from silpose.recording import (
     ContextSpace,
     Header,
@@ -25,7 +25,7 @@ from silpose.recording import (
     record_study,
     record_tracking,
 )
-from silpose.recording.pictures import opened
+from silpose.recording.viewer.screenshots import opened
 from silpose.silhouette import Camera
 from silpose.tracking import ManyTracks, Track
 

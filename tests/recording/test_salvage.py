@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from rerun.chunk import RrdReader
 
-from silpose.errors import InputError
-from silpose.finished import runs_table
+from silpose.core.errors import InputError
 from silpose.recording import entities, repair
+from silpose.recording.runs.finished_run import runs_table
 
 
 @pytest.fixture

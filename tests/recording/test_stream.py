@@ -13,9 +13,9 @@ from browser import wait_for
 from rerun.chunk import RrdReader
 from rerun.experimental import ViewerClient
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.recording import Header, Sinks, blueprint, entities, program
-from silpose.recording.log import Track
+from silpose.recording.frame_logger import Track
 from silpose.recording.stream import recording_stream
 
 FRAMES = 60

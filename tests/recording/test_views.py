@@ -1,8 +1,8 @@
 import pytest
 
 from silpose.recording import Header, entities
+from silpose.recording.layout.views import layout, texts_view
 from silpose.recording.stream import recording_stream
-from silpose.recording.views import layout, texts_view
 
 
 @pytest.mark.parametrize(("settings", "visible"), [("seed: 0\n", None), ("", False)])

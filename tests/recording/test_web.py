@@ -10,9 +10,9 @@ from urllib.request import Request, urlopen
 import pytest
 from browser import browsing, wait_for
 
-from silpose.errors import InputError
-from silpose.recording.program import free_port
-from silpose.recording.web import served
+from silpose.core.errors import InputError
+from silpose.recording.runs.server import served
+from silpose.recording.viewer.process import free_port
 
 VIEW = (slice(60, 420), slice(540, 1180))  # where the bodies are, in a window of 1600 x 807
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from sklearn.metrics.pairwise import rbf_kernel
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression import Basis
 from silpose.regression.basis import KERNELS
 

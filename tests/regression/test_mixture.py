@@ -5,11 +5,11 @@ from hypothesis import strategies as st
 from sklearn.linear_model import Ridge
 from sklearn.utils.estimator_checks import parametrize_with_checks
 
-from silpose.errors import InputError
-from silpose.regression import MixtureOfRegressors, among_themselves, choose_mixture
-from silpose.regression.experts import Prior, expectation_maximisation
-from silpose.regression.local_clusters import local_clusters
-from silpose.regression.mixture_choice import MixtureSettings
+from silpose.core.errors import InputError
+from silpose.regression import MixtureOfRegressors, choose_mixture, normalised
+from silpose.regression.mixture.experts import Prior, expectation_maximisation
+from silpose.regression.mixture.local_clusters import local_clusters
+from silpose.regression.selection.mixtures import MixtureSettings
 
 
 def two_valued(n, seed=0):
@@ -137,7 +137,7 @@ def test_any_input_has_finite_answers(mixture, seed, size):
     assert np.isfinite(means).all()
     assert (variances > 0).all()
     assert (np.diff(weights, axis=1) <= 1e-12).all()
-    shares = among_themselves(weights).sum(axis=1)
+    shares = normalised(weights).sum(axis=1)
     assert np.minimum(np.abs(shares - 1), shares) == pytest.approx(np.zeros(6))
 
 

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from sklearn.utils.estimator_checks import parametrize_with_checks
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression import (
     Basis,
     RelevanceVectorRegressor,

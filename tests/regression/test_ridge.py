@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from sklearn.linear_model import Ridge
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression import Basis, RidgeRegressor
 
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from sklearn.exceptions import ConvergenceWarning
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression import Basis, RelevanceVectorRegressor, RidgeRegressor
-from silpose.regression.bridges import Bridges, cross
-from silpose.regression.elimination import eliminate
 from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.sparse.elimination import eliminate
+from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
 
 
 def error(regressor, data):
@@ -23,7 +23,7 @@ def test_finds_the_few_columns_that_matter():
     truth[[3, 11, 25]] = rng.normal(size=(3, 4))
     outputs = features @ truth + 0.01 * rng.normal(size=(200, 4))
     system = NormalEquations.of(features, outputs)
-    end = cross(system, Bridges.start(system), 1.0, 200, 1e-6)
+    end = minimise_with_bridges(system, Bridges.start(system), 1.0, 200, 1e-6)
     np.testing.assert_array_equal(end.kept, [3, 11, 25])
     coefficients, _ = system.unscaled(end.a, end.kept)
     np.testing.assert_allclose(coefficients, truth[end.kept], atol=0.05)
@@ -51,7 +51,7 @@ def test_relevance_vectors_are_training_rows(smooth):
 def test_the_objective_never_rises_between_prunings(smooth, nu):
     (z, x), _ = smooth
     system = NormalEquations.of(Basis(width=4).fit_transform(z), x)
-    steps = cross(system, Bridges.start(system), nu, 500, 1e-6).history
+    steps = minimise_with_bridges(system, Bridges.start(system), nu, 500, 1e-6).history
     rises = [after - before for (count, before), (same, after) in pairwise(steps) if count == same]
     assert len(rises) > 5
     assert max(rises) < 1e-6 * system.power.sum()

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression import (
     BasisSettings,
     Candidates,
@@ -90,7 +90,7 @@ def test_one_group_is_left_out_at_a_time(candidates, smooth, monkeypatch):
     for fold in folds:
         assert len(fold.z) + len(fold.problem.z) == len(z)
         assert not {tuple(row) for row in fold.z} & {tuple(row) for row in fold.problem.z}
-    monkeypatch.setattr("silpose.regression.selection._FOLDED", len(z) // 2)
+    monkeypatch.setattr("silpose.regression.selection.regressors._FOLDED", len(z) // 2)
     thinned = candidates._folds(train, groups)
     assert sum(len(fold.z) for fold in thinned) == pytest.approx(len(z) / 2, abs=6)
     with pytest.raises(InputError, match="needs a validation sequence"):

@@ -3,8 +3,8 @@ import pytest
 from scipy.stats import norm
 
 from silpose.regression import MixtureOfRegressors, RidgeRegressor
-from silpose.regression.saved_mixture import mixture_from, mixture_state
-from silpose.regression.shared import SharedRegressor
+from silpose.regression.mixture.serialisation import mixture_from, mixture_state
+from silpose.regression.mixture.shared_regressor import SharedRegressor
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from sklearn.svm import SVR
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.regression import Basis, SupportVectorRegressor
 
 

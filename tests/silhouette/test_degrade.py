@@ -4,7 +4,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.silhouette import DEGRADATIONS, Degradation, contour_damage, degrade
 
 MASKS = arrays(
@@ -82,16 +82,16 @@ def test_damage_is_the_share_of_the_contour_that_is_lost_or_false():
 
 def test_degradation_is_drawn_by_seed_sequence_and_frame(sequence):
     degradation = Degradation(test=["holes", "none"], strength=[0.3, 0.6], seed=3)
-    spoiler = degradation.spoiler(degradation.test)
+    degrader = degradation.degrader(degradation.test)
 
     def spoilt(name):
-        spoil = spoiler(name)
+        spoil = degrader(name)
         return np.stack([spoil(mask, frame) for frame, mask in enumerate(sequence.masks)])
 
     once = spoilt("walk")
     np.testing.assert_array_equal(once, spoilt("walk"))
     assert (once != spoilt("other")).any()
-    assert degradation.spoiler(degradation.train)("walk") is None
+    assert degradation.degrader(degradation.train)("walk") is None
     whole = [np.array_equal(a, b) for a, b in zip(once, sequence.masks, strict=True)]
     assert 5 < sum(whole) < 35
 

@@ -2,7 +2,7 @@ import cv2
 import numpy as np
 import pytest
 
-from silpose.errors import InputError
+from silpose.core.errors import InputError
 from silpose.silhouette import mask_files, read_mask, read_masks
 
 

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from silpose import skeleton
-from silpose.errors import InputError
-from silpose.pose import ANGLES
+from silpose.core import skeleton
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
 from silpose.silhouette import Body, Camera, render
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from silpose.pose import ANGLES
-from silpose.skeleton import ANGLES as NAMES
+from silpose.core.pose_space import ANGLES
+from silpose.core.skeleton import ANGLES as NAMES
 
 
 def walk_of(frames, seed=0, turns=2.0):

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.tracking.belief import correct, reversed_time, revise
+from silpose.tracking.belief_filter import correct, fixed_lag_smooth, reversed_time
 
 
 @pytest.fixture
@@ -35,7 +35,7 @@ def by_enumeration(transitions, likelihoods, frame, last):
 
 @pytest.mark.parametrize("lag", [0, 1, 3, 20])
 def test_waiting_gives_the_posterior(chain, lag):
-    revised = revise(forward(*chain), chain[1], chain[0], lag)
+    revised = fixed_lag_smooth(forward(*chain), chain[1], chain[0], lag)
     for frame in range(8):
         assert revised[frame] == pytest.approx(by_enumeration(*chain, frame, min(frame + lag, 7)))
 

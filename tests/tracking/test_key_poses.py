@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from silpose.errors import InputError
-from silpose.pose import ANGLES
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
 from silpose.tracking.key_poses import KeyPoses, kernel
 
 

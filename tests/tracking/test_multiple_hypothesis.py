@@ -3,11 +3,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from silpose.errors import InputError
-from silpose.pose import ANGLES
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
 from silpose.regression import MixtureOfRegressors
 from silpose.tracking import MultipleHypothesisTracker
-from silpose.tracking.belief import STATES
+from silpose.tracking.belief_filter import STATES
 from silpose.tracking.hypotheses import Components, resampled
 
 

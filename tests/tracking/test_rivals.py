@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from silpose.pose import ANGLES
+from silpose.core.pose_space import ANGLES
 from silpose.tracking import SecondOrderDynamics
-from silpose.tracking.rivals import fuse, smooth, viterbi, windowed
+from silpose.tracking.smoothing_baselines import fuse, smooth, viterbi, windowed
 
 
 def test_smoothing_keeps_parabolas_and_quiets_noise():

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose.tracking.key_poses import squared_distances
-from silpose.tracking.silhouette_alone import SilhouetteRegressor
+from silpose.tracking.silhouette_regressor import SilhouetteRegressor
 
 
 @pytest.fixture

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from silpose.pose import ANGLES
-from silpose.tracking import HypothesesSettings, Selection, Tracker, TrackerSettings
-from silpose.tracking.stacking import shares_of, stacked_shares
+from silpose.core.pose_space import ANGLES
+from silpose.tracking import BeliefTracker, HypothesesSettings, Selection, TrackerSettings
+from silpose.tracking.selection.stacking import shares_of, stacked_shares
 
 WIDTHS = {"keep": 0.3, "pose_width": 0.4, "descriptor_width": 0.8}
 
@@ -14,13 +14,13 @@ def selection(takes):
 
 
 def squared(selection, **shares):
-    tracker = Tracker(**WIDTHS, **shares).fit(selection.train)
+    tracker = BeliefTracker(**WIDTHS, **shares).fit(selection.train)
     off = np.concatenate([tracker.track(z).x - x for z, x in selection.validation])
     return (off[:, :2] ** 2).sum(), (off[:, 2:] ** 2).sum()
 
 
 def test_no_other_shares_leave_less(selection):
-    shares = stacked_shares(selection, Tracker(**WIDTHS).fit)
+    shares = stacked_shares(selection, BeliefTracker(**WIDTHS).fit)
     assert all(0 <= share <= 1 for share in shares.values())
     heading, body = squared(selection, **shares)
     for other in (0.0, 0.2, 0.5, 1.0):
@@ -29,7 +29,7 @@ def test_no_other_shares_leave_less(selection):
         assert body <= others[1] + 1e-9
 
 
-class Off(Tracker):
+class Off(BeliefTracker):
     """Tracks with this much off, and with that much off on the silhouette alone."""
 
     def __init__(self, tracked=1.0, alone=0.0, heading_alone=0.0, body_alone=0.0):
@@ -57,7 +57,7 @@ def test_shares_that_are_given_are_not_stacked(selection, kind):
     given = {"heading_alone": 0.25, "body_alone": 0.75}
     assert shares_of("tracker", whole, selection, None) == given
     assert selection.rows == []
-    half = shares_of("tracker", kind(body_alone=0.75), selection, Tracker(**WIDTHS).fit)
-    stacked = stacked_shares(selection, Tracker(**WIDTHS).fit)
+    half = shares_of("tracker", kind(body_alone=0.75), selection, BeliefTracker(**WIDTHS).fit)
+    stacked = stacked_shares(selection, BeliefTracker(**WIDTHS).fit)
     assert half == stacked | {"body_alone": 0.75}
     assert selection.rows == [{"method": "tracker", **half}]

@@ -1,11 +1,11 @@
 import numpy as np
 import pytest
 
-from silpose.errors import InputError
-from silpose.pose import ANGLES
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
 from silpose.tracking import (
-    PointTracker,
     SecondOrderDynamics,
+    SinglePoseTracker,
     StateSensitiveRegressor,
     observed_and_sampled,
 )
@@ -54,7 +54,7 @@ def test_full_trust_and_no_kernels_in_reach_gives_back_the_state(examples):
 
 def test_a_lost_state_does_not_run_away(takes, unseen):
     regressor = StateSensitiveRegressor(pose_width=1e5, centres=60)  # extinct at once
-    tracker = PointTracker(SecondOrderDynamics(damping=1e-6), regressor, samples=1).fit(takes)
+    tracker = SinglePoseTracker(SecondOrderDynamics(damping=1e-6), regressor, samples=1).fit(takes)
     x, activations = tracker.track(unseen[0], unseen[1][:2])
     assert np.isfinite(x).all()
     assert activations[40:].max() < 1e-3

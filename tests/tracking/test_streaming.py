@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from silpose.regression import MixtureOfRegressors
-from silpose.tracking import MultipleHypothesisTracker, Tracker
+from silpose.tracking import BeliefTracker, MultipleHypothesisTracker
 
 
 @pytest.mark.parametrize(
     "tracker",
     [
-        Tracker(keep=0.3, pose_width=0.4, descriptor_width=0.8),
+        BeliefTracker(keep=0.3, pose_width=0.4, descriptor_width=0.8),
         MultipleHypothesisTracker(MixtureOfRegressors(20, 30, hellinger=True)),
     ],
     ids=lambda tracker: type(tracker).__name__,

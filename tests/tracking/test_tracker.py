@@ -3,15 +3,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from silpose.errors import InputError
-from silpose.pose import ANGLES
-from silpose.tracking import Tracker
-from silpose.tracking.belief import STATES
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
+from silpose.tracking import BeliefTracker
+from silpose.tracking.belief_filter import STATES
 
 
 @pytest.fixture(scope="module")
 def tracker(takes):
-    return Tracker(keep=0.3, pose_width=0.4, descriptor_width=0.8).fit(takes)
+    return BeliefTracker(keep=0.3, pose_width=0.4, descriptor_width=0.8).fit(takes)
 
 
 def off(x, track):
@@ -34,7 +34,7 @@ def test_a_share_is_regressed_on_the_silhouette_alone(takes, unseen):
     z[20] = np.nan
     widths = {"keep": 0.3, "pose_width": 0.4, "descriptor_width": 0.8}
     none, half, all_of_it = (
-        Tracker(**widths, heading_alone=share, body_alone=share).fit(takes).track(z).x
+        BeliefTracker(**widths, heading_alone=share, body_alone=share).fit(takes).track(z).x
         for share in (0.0, 0.5, 1.0)
     )
     assert half == pytest.approx((none + all_of_it) / 2)
@@ -77,7 +77,7 @@ def test_a_jump_cut_is_recovered_from_unless_switched_off(takes, unseen):
     widths = {"keep": 0.3, "pose_width": 0.4, "descriptor_width": 0.8}
     errors = {}
     for restart in (1e-6, 0.0):
-        tracker = Tracker(restart=restart, **widths).fit(takes)
+        tracker = BeliefTracker(restart=restart, **widths).fit(takes)
         errors[restart] = heading_off(x[order], tracker.track(z[order]).x)[55:].mean()
     assert errors[1e-6] < 20
     assert errors[1e-6] <= errors[0.0] + 1e-9
@@ -114,12 +114,12 @@ def test_ten_thousand_random_steps_leave_it_finite_and_its_memory_flat(tracker):
 
 
 def test_same_seed_same_tracker(takes, tracker):
-    again = Tracker(keep=0.3, pose_width=0.4, descriptor_width=0.8).fit(takes)
+    again = BeliefTracker(keep=0.3, pose_width=0.4, descriptor_width=0.8).fit(takes)
     assert np.array_equal(again.transitions_, tracker.transitions_)
 
 
 def test_survives_saving(tracker, unseen):
-    again = Tracker.from_state({k: np.asarray(v) for k, v in tracker.state().items()})
+    again = BeliefTracker.from_state({k: np.asarray(v) for k, v in tracker.state().items()})
     assert again.track(unseen[0]).x == pytest.approx(tracker.track(unseen[0]).x)
 
 
@@ -130,7 +130,7 @@ def test_a_short_sequence_is_tracked(tracker, unseen, frames):
 
 def test_learns_from_takes_of_a_frame_or_two(walk):
     sequences = [walk(frames, seed) for seed, frames in enumerate((1, 2, 40))]
-    assert np.isfinite(Tracker(keep=1.0).fit(sequences).track(sequences[2][0]).x).all()
+    assert np.isfinite(BeliefTracker(keep=1.0).fit(sequences).track(sequences[2][0]).x).all()
 
 
 def test_what_it_cannot_do_it_says(tracker, unseen, takes):
@@ -143,10 +143,10 @@ def test_what_it_cannot_do_it_says(tracker, unseen, takes):
         tracker.track(z[:0])
     for wrong in ({"keep": 0}, {"pose_width": -1}, {"damping": 0}, {"restart": 1.0}):
         with pytest.raises(InputError, match=next(iter(wrong))):
-            Tracker(**wrong).fit(takes)
+            BeliefTracker(**wrong).fit(takes)
 
 
 @pytest.mark.parametrize("name", ["heading_alone", "body_alone"])
 def test_a_share_beyond_1_is_refused(takes, name):
     with pytest.raises(InputError, match=f"{name} is a share from 0 to 1, not 1.5"):
-        Tracker(**{name: 1.5}).fit(takes)
+        BeliefTracker(**{name: 1.5}).fit(takes)

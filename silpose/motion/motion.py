@@ -1,0 +1,48 @@
+"""Motion: what every source of poses hands on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One continuous take of one performer, on our skeleton.
+
+    Attributes
+    ----------
+    name : str
+        Unique within its source.
+    performer : str
+        Takes of one performer share it, so that splits can keep performers apart.
+    frames_per_second : float
+    angles : ndarray, shape (F, 54)
+        Degrees, in the order of `silpose.core.skeleton.ANGLES`. The first is the heading in the
+        world: the azimuth of the hip line, 0 when the person faces +Z and positive towards
+        the person's own left.
+    root_position : ndarray, shape (F, 3)
+        Metres, in the world, +Y up; the ground is at height 0.
+    synthetic : bool
+        Whether it comes from a model fitted to real performers, and so is no stranger to them.
+    """
+
+    name: str
+    performer: str
+    frames_per_second: float
+    angles: Array
+    root_position: Array
+    synthetic: bool = False
+
+    def __len__(self) -> int:
+        return len(self.angles)
+
+    def part(self, start: int, stop: int) -> Motion:
+        """Cut frames out."""
+        return replace(
+            self, angles=self.angles[start:stop], root_position=self.root_position[start:stop]
+        )

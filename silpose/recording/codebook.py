@@ -1,0 +1,75 @@
+"""The codebook as a picture: its centres as the log-polar histograms they are, and their votes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose.recording import entity_paths, palette
+
+if TYPE_CHECKING:
+    from silpose.recording.frame_logger import FrameLogger
+
+Array = NDArray[np.floating]
+
+_TILE = 40  # pixels that a centre is drawn in
+_REACH = 17.0  # pixels from a tile's middle to the edge of the outermost ring
+
+
+def columns_of(count: int) -> int:
+    """Centres in a row of the picture."""
+    return int(np.ceil(np.sqrt(count)))
+
+
+def codebook_picture(codebook: Array, angular_bins: int) -> NDArray[np.uint8]:
+    """Draw all centres, row after row, each in its colour: bright where the contour lies.
+
+    Parameters
+    ----------
+    codebook : ndarray, shape (K, radial_bins * angular_bins)
+    angular_bins : int
+
+    Returns
+    -------
+    picture : ndarray, shape (H, W, 3)
+        Rings are equally wide, as in a log-polar plot; right is right and down is down.
+    """
+    y, x = np.mgrid[:_TILE, :_TILE] - (_TILE - 1) / 2
+    ring = np.floor(np.hypot(x, y) / _REACH * (codebook.shape[1] // angular_bins)).astype(int)
+    turns = np.arctan2(y, x) / (2 * np.pi)
+    sector = np.floor(turns * angular_bins + 0.5).astype(int) % angular_bins
+    inside = ring < codebook.shape[1] // angular_bins
+    places = np.where(inside, ring * angular_bins + sector, 0)
+    columns = columns_of(len(codebook))
+    rows = int(np.ceil(len(codebook) / columns))
+    picture = np.full((rows * _TILE, columns * _TILE, 3), palette.BACKGROUND, float)
+    for k, centre in enumerate(codebook):
+        light = (centre / max(float(centre.max()), 1e-9))[places]
+        colour = np.array(palette.hue(k, len(codebook)), dtype=float)
+        tile = (0.14 + 0.86 * light[..., None]) * colour
+        top, left = _TILE * np.array(divmod(k, columns))
+        picture[top : top + _TILE, left : left + _TILE][inside] = tile[inside]
+    return picture.astype(np.uint8)
+
+
+def log_codebook(track: FrameLogger, codebook: Array, angular_bins: int, z: Array) -> None:
+    """Log the picture, and below every centre a bar as long as its share of each frame's votes.
+
+    A bar across the whole tile is the largest share that occurs.
+    """
+    track.picture(entity_paths.CODEBOOK, codebook_picture(codebook, angular_bins))
+    count = len(codebook)
+    rows, columns = np.divmod(np.arange(count), columns_of(count))
+    starts = np.stack([columns * _TILE + 1.0, (rows + 1) * _TILE - 2.0], axis=1)
+    shares = np.nan_to_num(z) / max(float(np.nanmax(z)), 1e-9)
+    strips = np.repeat(starts[None, :, None], len(z), axis=0).repeat(2, axis=2)
+    strips[:, :, 1, 0] += shares * (_TILE - 2)
+    track.strips(
+        entity_paths.VOTES,
+        strips.reshape(-1, 2, 2).astype(np.float32),
+        [count] * len(z),
+        (255, 255, 255),
+        2.0,
+    )

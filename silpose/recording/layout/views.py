@@ -1,0 +1,146 @@
+"""Views that layouts are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import rerun as rr
+import rerun.blueprint as rrb
+
+from silpose.recording import entity_paths
+
+Window = tuple[float, float, float, float]  # left, right, top, bottom, pixels
+
+GROUND = rrb.LineGrid3D(spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80])
+
+
+FROM_THE_SIDE = rrb.EyeControls3D(
+    kind=rrb.Eye3DKind.Orbital,
+    position=[0.95, 1.15, 2.0],
+    look_target=[0.0, 0.85, 0.0],
+    eye_up=[0, 1, 0],
+)
+
+
+def from_the_front(away: float) -> rrb.EyeControls3D:
+    """PredictionDetails at what stands around the origin, so many metres away."""
+    return rrb.EyeControls3D(
+        kind=rrb.Eye3DKind.Orbital,
+        position=[0.0, 1.2, away],
+        look_target=[0.0, 0.95, 0.0],
+        eye_up=[0, 1, 0],
+    )
+
+
+def layout(
+    columns: Sequence[rrb.Container | rrb.View], shares: Sequence[float], frames_per_second: float
+) -> rrb.Blueprint:
+    """Columns of views above a collapsed timeline."""
+    return rrb.Blueprint(
+        rrb.Horizontal(*columns, column_shares=shares),
+        rrb.BlueprintPanel(state="collapsed"),
+        rrb.SelectionPanel(state="collapsed"),
+        rrb.TimePanel(
+            state="collapsed", timeline="frame", fps=frames_per_second, play_state="paused"
+        ),
+        auto_layout=False,
+        auto_views=False,
+    )
+
+
+def hide(part: rrb.Container | rrb.View, origin: str) -> None:
+    """Hide the views of an entity to which nothing is logged: those beside it take its room."""
+    if isinstance(part, rrb.Container):
+        for inner in part.contents:
+            hide(inner, origin)
+    elif part.origin == origin:
+        part.visible = False
+
+
+def seen_view(window: Window | None) -> rrb.Container:
+    """Show what was seen: mask, codebook, histogram, activations."""
+    bars = [
+        histogram_view(),
+        bars_view(entity_paths.ACTIVATIONS, "regression: activation of each relevance vector"),
+    ]
+    if window is None:
+        return rrb.Vertical(*bars)
+    above = rrb.Horizontal(
+        mask_view("mask and edge points", window), codebook_view(), column_shares=[1, 1.2]
+    )
+    return rrb.Vertical(above, *bars, row_shares=[1.8, 1, 1])
+
+
+def histogram_view() -> rrb.BarChartView:
+    """Show bars of a histogram of shape contexts."""
+    return bars_view(entity_paths.HISTOGRAM, "descriptor: % of votes for each centre")
+
+
+def codebook_view() -> rrb.Spatial2DView:
+    """Show the codebook as a picture."""
+    return rrb.Spatial2DView(origin=entity_paths.CODEBOOK, name="codebook, votes as bars")
+
+
+def mask_view(
+    name: str = "mask, edge points by nearest centre", window: Window | None = None
+) -> rrb.Spatial2DView:
+    """Show a mask and its edge points."""
+    return rrb.Spatial2DView(
+        origin=entity_paths.CAMERA,
+        contents=[entity_paths.MASK, entity_paths.EDGE_POINTS],
+        name=name,
+        visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:])
+        if window
+        else None,
+    )
+
+
+def bodies_view(
+    name: str, contents: Sequence[str], eye: rrb.EyeControls3D, origin: str = "/"
+) -> rrb.Spatial3DView:
+    """Show skeletons on the ground."""
+    return rrb.Spatial3DView(
+        origin=origin,
+        contents=list(contents),
+        name=name,
+        background=[22, 24, 28],
+        line_grid=GROUND,
+        eye_controls=eye,
+    )
+
+
+def bars_view(entity: str, name: str) -> rrb.BarChartView:
+    """Show a bar chart."""
+    return rrb.BarChartView(origin=entity, name=name, plot_legend=rrb.PlotLegend(visible=False))
+
+
+def series_view(
+    name: str, contents: Sequence[str], span: tuple[float, float] | None = None
+) -> rrb.TimeSeriesView:
+    """Show numbers over time."""
+    return rrb.TimeSeriesView(
+        origin="/",
+        contents=list(contents),
+        name=name,
+        plot_legend=rrb.Corner2D.LeftTop,
+        axis_y=rrb.ScalarAxis(range=span) if span else None,
+    )
+
+
+def state_view() -> rrb.StateTimelineView:
+    """Show a tracker's state as a lane."""
+    return rrb.StateTimelineView(origin=entity_paths.STATE, name="state of the tracker")
+
+
+def texts_view(reasons: bool = False) -> rrb.Container:
+    """Results and settings in words, and the reasons for a pose between them."""
+    texts = [
+        rrb.TextDocumentView(origin=entity_paths.METRICS, name="results"),
+        rrb.TextDocumentView(origin=entity_paths.SETTINGS, name="settings"),
+    ]
+    if not reasons:
+        return rrb.Vertical(*texts, row_shares=[1, 1.3])
+    why = rrb.Spatial2DView(
+        origin=entity_paths.REASONS, name="why this pose? training examples and their weight"
+    )
+    return rrb.Vertical(texts[0], why, texts[1], row_shares=[1, 1, 0.6])

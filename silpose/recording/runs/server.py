@@ -1,0 +1,95 @@
+"""A folder of runs in the browser, on this machine and nowhere else."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+from silpose.core.errors import InputError
+from silpose.recording.runs.index_page import page
+from silpose.recording.viewer.process import HOST, free_port, start, viewing
+
+
+@contextmanager
+def served(folder: str | Path, port: int = 9090) -> Iterator[str]:
+    """Serve the recordings of a folder while the context lasts; give the page's address.
+
+    Two servers: ours for the page and the files, and Rerun's own for the viewer, which fetches a
+    recording from ours.
+    """
+    root = Path(folder)
+    if not root.is_dir():
+        raise InputError(f"there is no folder '{folder}': give the one that holds the runs")
+    viewer_port, data_port = free_port(), free_port()
+    origin = f"http://{HOST}:{viewer_port}"
+    try:
+        server = ThreadingHTTPServer((HOST, port), partial(_Files, root=root, origin=origin))
+    except (OSError, OverflowError) as error:
+        raise InputError(
+            f"cannot listen on port {port} ({error}): choose another with --port"
+        ) from error
+    viewer = start(
+        *("--serve-web", "--web-viewer-port", str(viewer_port)), port=data_port, remedy="try again"
+    )
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield f"http://{HOST}:{server.server_port}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        viewer.terminate()
+        viewer.wait()
+
+
+def serve(folder: str | Path, port: int = 9090) -> None:
+    """Serve the recordings of a folder until Ctrl-C."""
+    with served(folder, port) as address:
+        print(f"Runs of '{folder}':  {address}   (Ctrl-C ends it)", flush=True)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # whoever asks, ends it well
+        try:
+            threading.Event().wait()
+        except KeyboardInterrupt:
+            print()
+
+
+class _Files(SimpleHTTPRequestHandler):
+    """The page of runs at ``/``, and the files of the runs below it."""
+
+    def __init__(self, *given: Any, root: Path, origin: str) -> None:
+        self._root, self._origin = root, origin
+        super().__init__(*given, directory=str(root))
+
+    def do_GET(self) -> None:
+        """Answer the page, or a file, and only to who asks for this machine by its own name."""
+        here = f"{HOST}:{self.connection.getsockname()[1]}"
+        if self.headers.get("Host") not in (here, here.replace(HOST, "localhost")):
+            self.send_error(403)
+        elif self.path != "/":
+            super().do_GET()
+        else:
+            content = page(
+                self._root, lambda path: viewing(self._origin, f"http://{here}/{path}")
+            ).encode()
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.send_header("Content-Length", str(len(content)))
+            self.end_headers()
+            self.wfile.write(content)
+
+    def end_headers(self) -> None:
+        """Let the viewer's page read our files, and no other page."""
+        self.send_header("Access-Control-Allow-Origin", self._origin)
+        super().end_headers()
+
+    def list_directory(self, path: Any) -> None:
+        """Show no folders: the page lists the runs."""
+        self.send_error(404)
+
+    def log_message(self, format: str, *arguments: object) -> None:
+        """Keep quiet."""

@@ -1,0 +1,150 @@
+"""Pictures of a recording, as the viewer paints it, without a screen."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from rerun.experimental import ViewerClient
+
+from silpose.core.atomic_files import writing
+from silpose.core.errors import InputError
+from silpose.recording.read import reader
+from silpose.recording.viewer.process import HOST, free_port, start
+
+_PAINTED = 0.5  # seconds until a first picture is complete
+_SETTLE = 0.3  # seconds after which a viewer has found its driver
+
+
+def picture(
+    recording: str | Path, frame: int, path: str | Path, view: str | None = None, width: int = 1600
+) -> None:
+    """Write what the viewer shows of a frame, as PNG.
+
+    Parameters
+    ----------
+    recording : path
+        Of an ``.rrd`` file.
+    frame : int
+    path : path
+        Of the PNG.
+    view : str, optional
+        Beginning of the title of one view; without, the whole window.
+    width : int
+        Pixels.
+    """
+    with writing(Path(path)) as aside, _shots(recording, view, width) as shoot:
+        aside.write_bytes(shoot(frame))
+
+
+def film(
+    recording: str | Path,
+    frames: Sequence[int],
+    path: str | Path,
+    view: str | None = None,
+    width: int = 900,
+    frames_per_second: float = 15.0,
+) -> None:
+    """Write a stretch of frames as an animated GIF or as MP4, by the path's ending.
+
+    Parameters
+    ----------
+    recording : path
+    frames : sequence of int
+    path : path
+        Ends in ``.gif`` or ``.mp4``.
+    view, width
+        As for `picture`.
+    frames_per_second : float
+    """
+    path, frames = Path(path), list(frames)
+    if not frames:
+        raise InputError("a film wants one frame or more")
+    if path.suffix not in (".gif", ".mp4"):
+        raise InputError(f"'{path}' must end in .gif or .mp4")
+    write = _write_mp4 if path.suffix == ".mp4" else _write_gif
+    with writing(path) as aside:
+        with _shots(recording, view, width) as shoot:
+            images = [_decoded(shoot(frame)) for frame in frames]
+        write(aside, images, frames_per_second)
+
+
+def _decoded(png: bytes) -> NDArray[np.uint8]:
+    return np.asarray(cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR), np.uint8)
+
+
+def _write_mp4(path: Path, images: Sequence[NDArray[Any]], frames_per_second: float) -> None:
+    height, width = images[0].shape[:2]
+    fourcc = cv2.VideoWriter.fourcc(*"mp4v")
+    writer = cv2.VideoWriter(str(path), fourcc, frames_per_second, (width, height))
+    for image in images:
+        writer.write(image)
+    writer.release()
+
+
+def _write_gif(path: Path, images: Sequence[NDArray[Any]], frames_per_second: float) -> None:
+    from PIL import Image
+
+    first, *others = (Image.fromarray(image[..., ::-1]) for image in images)
+    duration = 1000 / frames_per_second
+    first.save(path, save_all=True, append_images=others, duration=duration, loop=0)
+
+
+@contextmanager
+def opened(recording: str | Path) -> Iterator[ViewerClient]:
+    """Open a recording in a viewer without a window, while the context lasts."""
+    reader(recording)  # says what is wrong with it
+    os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
+    port = free_port()
+    try:
+        # Expecting data, it does not paint over them that it listens.
+        process = start(
+            *("--headless", "--expect-data-soon"), port=port, remedy="try again", settle=_SETTLE
+        )
+    except InputError as error:
+        raise InputError(
+            f"{error}; to paint, it wants a Vulkan driver (Debian: mesa-vulkan-drivers)"
+        ) from error
+    try:
+        viewer = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
+        viewer.open(str(Path(recording).absolute()))
+        viewer.take_screenshot()  # waits until everything is loaded
+        time.sleep(_PAINTED)
+        yield viewer
+    finally:
+        process.terminate()
+        process.wait()
+
+
+@contextmanager
+def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]:
+    """Give a function from a frame to a PNG."""
+    with opened(recording) as viewer:
+        options: dict[str, Any] = {"max_size": width}
+        if view is not None:
+            options["view_id"] = _view(viewer.get_state().views, view)
+
+        timed = any("frame" in chunk.timeline_names for chunk in reader(recording).stream())
+
+        def shoot(frame: int) -> bytes:
+            if timed:
+                viewer.set_time("frame", sequence=frame, play_state="paused")
+            return bytes(viewer.take_screenshot(**options))
+
+        yield shoot
+
+
+def _view(views: Any, title: str) -> Any:
+    for view in views:
+        if view.name and view.name.startswith(title):
+            return view.view_id
+    names = ", ".join(f"'{view.name}'" for view in views if view.name)
+    raise InputError(f"no view's title begins with '{title}'; there are {names}")

@@ -1,0 +1,54 @@
+"""Watching an RVM become sparse."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose.regression.basis import Basis
+from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class BridgePath:
+    """What each iteration of the continuation left.
+
+    Attributes
+    ----------
+    norms : ndarray, shape (T, p)
+        ‖a_k‖ of every basis function, 0 once it is removed.
+    objective : ndarray, shape (T,)
+        Value of Eq. 5.
+    """
+
+    norms: Array
+    objective: Array
+
+
+def follow_bridges(
+    basis: Basis, z: Array, x: Array, nu: float, max_iter: int = 200, tol: float = 1e-2
+) -> BridgePath:
+    """Fit an RVM as `RelevanceVectorRegressor` does, and keep every iteration.
+
+    Parameters
+    ----------
+    basis : Basis
+    z : ndarray, shape (n, d)
+    x : ndarray, shape (n, m)
+    nu, max_iter, tol
+        As there.
+    """
+    system = NormalEquations.of(basis.fit(z).transform(z), x)
+    norms: list[Array] = []
+
+    def watch(kept: NDArray[np.intp], scale: Array) -> None:
+        norms.append(np.zeros(basis.size_))
+        norms[-1][kept] = scale
+
+    end = minimise_with_bridges(system, Bridges.start(system), nu, max_iter, tol, watch)
+    return BridgePath(np.array(norms), np.array([value for _, value in end.history]))
