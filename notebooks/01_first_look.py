@@ -57,7 +57,7 @@ model.fit(np.concatenate([take.masks for take in data.train]), poses(data.train)
 print(f"{len(regressor.relevance_)} of {len(poses(data.train))} silhouettes are kept")
 
 # %% [markdown]
-# **4. PredictionDetails at the test walker,** whom it has never seen: estimated poses on the true ones, the
+# **4. Look at the test walker,** whom it has never seen: estimated poses on the true ones, the
 # heading as the walker turns, and how far off it is on average, beside always answering the mean
 # pose.
 

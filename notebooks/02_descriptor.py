@@ -150,7 +150,8 @@ plt.show()
 # %%
 from pathlib import Path
 
-from silpose.recording import ContextSpace, Header, record_context_space, show
+from silpose.descriptor.context_space import ContextSpace
+from silpose.recording import Header, record_context_space, show
 
 cloud = np.concatenate([d.contexts for d in descriptor.describe(train[::50])])
 space = ContextSpace.of(cloud, descriptor.codebook_, seen)

@@ -45,7 +45,7 @@ if not motion.exists():
 
 # %% [markdown]
 # **2. Is the motion read as it should be?** Every file is put on the skeleton that is used here.
-# PredictionDetails for people who stand upright, and walk where they should.
+# Look for people who stand upright, and walk where they should.
 #
 # *What may go wrong:* joints are found by name; a file whose joints have other names is left out
 # with a warning that says which joint is missing. Name it: `joints={"left_elbow": ["MyElbowL"]}`

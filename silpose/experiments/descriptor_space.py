@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 def descriptor_space(rooms: Components, run: Run, contexts: int) -> None:
-    """PredictionDetails at all contexts in the plane of their two principal components, and at the codebook.
+    """Look at all contexts in the plane of their two principal components, and at the codebook.
 
     Parameters
     ----------

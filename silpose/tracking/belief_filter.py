@@ -1,4 +1,4 @@
-"""Belief over key poses: how it moves, how a silhouette corrects it, how later ones fixed_lag_smooth it."""
+"""Belief over key poses: how it moves, how a silhouette corrects it, how later ones revise it."""
 
 from __future__ import annotations
 

@@ -2,7 +2,8 @@ import re
 from pathlib import Path
 
 from silpose.app.config import load
-from silpose.recording import Header, entities
+from silpose.recording import Header
+from silpose.recording import entity_paths as entities
 
 SETTINGS = """\
 motion:

@@ -14,9 +14,12 @@ from rerun.chunk import RrdReader
 from rerun.experimental import ViewerClient
 
 from silpose.core.errors import InputError
-from silpose.recording import Header, Sinks, blueprint, entities, program
-from silpose.recording.frame_logger import Track
+from silpose.recording import Header, Sinks
+from silpose.recording import entity_paths as entities
+from silpose.recording.frame_logger import FrameLogger
+from silpose.recording.layout import blueprints as blueprint
 from silpose.recording.stream import recording_stream
+from silpose.recording.viewer import process as program
 
 FRAMES = 60
 
@@ -46,7 +49,7 @@ def header(tmp_path, port):
 
 def record(header, in_the_middle=lambda: None):
     with recording_stream(header, blueprint.study("error", 15.0)) as recording:
-        track = Track(recording, FRAMES, 15.0)
+        track = FrameLogger(recording, FRAMES, 15.0)
         track.masks_alone([np.eye(9, dtype=np.uint8)] * FRAMES)
         recording.flush()
         in_the_middle()

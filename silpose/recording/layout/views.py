@@ -23,7 +23,7 @@ FROM_THE_SIDE = rrb.EyeControls3D(
 
 
 def from_the_front(away: float) -> rrb.EyeControls3D:
-    """PredictionDetails at what stands around the origin, so many metres away."""
+    """Look at what stands around the origin, so many metres away."""
     return rrb.EyeControls3D(
         kind=rrb.Eye3DKind.Orbital,
         position=[0.0, 1.2, away],

@@ -6,7 +6,8 @@ import pytest
 from rerun.chunk import RrdReader
 
 from silpose.core.errors import InputError
-from silpose.recording import entities, repair
+from silpose.recording import entity_paths as entities
+from silpose.recording import repair
 from silpose.recording.runs.finished_run import runs_table
 
 

@@ -5,7 +5,7 @@ from synthetic import motion
 from silpose.core.errors import InputError
 from silpose.dataset import LazyMasks, photograph
 from silpose.descriptor import ShapeContextHistogram
-from silpose.experiments import descriptors
+from silpose.model import describe as descriptors
 from silpose.model.describe import describe, learn_descriptor
 from silpose.model.descriptor_cache import DescriptorCache
 

@@ -11,11 +11,10 @@ from rerun.chunk import RrdReader
 
 from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
+from silpose.descriptor.context_space import ContextSpace
 from silpose.recording import (
-    ContextSpace,
     Header,
     Truth,
-    entities,
     record_bridges,
     record_context_space,
     record_extinction,
@@ -25,6 +24,7 @@ from silpose.recording import (
     record_study,
     record_tracking,
 )
+from silpose.recording import entity_paths as entities
 from silpose.recording.viewer.screenshots import opened
 from silpose.silhouette import Camera
 from silpose.tracking import ManyTracks, Track

@@ -5,7 +5,8 @@ import pytest
 from rerun.chunk import RrdReader
 
 from silpose.core.errors import InputError
-from silpose.recording import compare, entities, read_poses
+from silpose.recording import compare, read_poses
+from silpose.recording import entity_paths as entities
 from silpose.recording.viewer.screenshots import opened
 
 

@@ -1,6 +1,7 @@
 import pytest
 
-from silpose.recording import Header, entities
+from silpose.recording import Header
+from silpose.recording import entity_paths as entities
 from silpose.recording.layout.views import layout, texts_view
 from silpose.recording.stream import recording_stream
 
