@@ -85,7 +85,7 @@ if __name__ == "__main__":
         "mask to z, 200 points, gaps closed": closed,
     }.items():
         rates[name] = per_second(lambda one=one: one.transform(masks), len(masks))
-        both = ShapeContextHistogram.from_state(one.state()).set_params(n_jobs=2)
+        both = ShapeContextHistogram.from_arrays(one.to_arrays()).set_params(n_jobs=2)
         many = masks * 5  # enough work for two
         rates[f"{name}, two cores"] = per_second(
             lambda both=both, many=many: both.transform(many), len(many)

@@ -68,7 +68,7 @@ from IPython.display import Image
 
 from silpose.experiments.figures import single_image_figure
 
-seen = model.look(test.masks)
+seen = model.explain(test.masks)
 errors = {
     "rvm": data.space.distance(test.x, seen.x),
     "mean_pose": data.space.distance(test.x, poses(data.train).mean(axis=0)),

@@ -104,7 +104,7 @@ from silpose.recording import Header, Reasons, Truth, record_single_image, show
 
 test = data.test[0]
 model = PoseModel(rooms.descriptor, sparse, data.space, test.frames_per_second)
-seen = model.look(test.masks)
+seen = model.explain(test.masks)
 both = {"rvm": seen.x, "ridge": ridge.predict(z_test)}
 errors = {method: data.space.distance(x_test, x) for method, x in both.items()}
 truth = Truth.of(test, rooms.camera, errors, data.space)

@@ -16,12 +16,12 @@ def run_tool(arguments: Sequence[str]) -> None:
 
 
 def _compare(given: argparse.Namespace) -> None:
-    from silpose.app.summary import near, rerun_command
+    from silpose.app.summary import rerun_command, shorten_path
     from silpose.recording import compare
     from silpose.recording.runs.finished_run import load_run
 
     compare([load_run(folder) for folder in given.runs], given.output, given.method)
-    print(f"Open it:  {rerun_command()} {near(given.output)}")
+    print(f"Open it:  {rerun_command()} {shorten_path(given.output)}")
 
 
 def _picture(given: argparse.Namespace) -> None:
@@ -45,10 +45,10 @@ def _serve(given: argparse.Namespace) -> None:
 
 
 def _repair(given: argparse.Namespace) -> None:
-    from silpose.app.summary import near, rerun_command
+    from silpose.app.summary import rerun_command, shorten_path
     from silpose.recording import repair
 
-    print(f"Open it:  {rerun_command()} {near(repair(given.run))}")
+    print(f"Open it:  {rerun_command()} {shorten_path(repair(given.run))}")
 
 
 def _recording(run: Path) -> Path:

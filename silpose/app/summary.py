@@ -22,7 +22,7 @@ def summarise(run: FinishedRun) -> None:
     took = ", ".join(f"{stage} {s:.1f} s" for stage, s in run.seconds.items())
     console.print(f"[dim]{took}[/dim]", soft_wrap=True)
     if run.recording.is_file():
-        console.print(f"Open it:  {rerun_command()} {near(run.recording)}", soft_wrap=True)
+        console.print(f"Open it:  {rerun_command()} {shorten_path(run.recording)}", soft_wrap=True)
     beside = sorted(f.name for f in run.folder.iterdir() if f != run.recording)
     console.print(f"[dim]beside it: {', '.join(beside)}[/dim]", soft_wrap=True)
 
@@ -44,10 +44,10 @@ def rerun_command() -> str:
     beside = Path(sys.executable).with_name("rerun")
     if shutil.which("rerun") or not beside.exists():
         return "rerun"
-    return near(beside)
+    return shorten_path(beside)
 
 
-def near(path: Path) -> str:
+def shorten_path(path: Path) -> str:
     """Shorten a path that lies below the working folder."""
     full = os.path.abspath(path)  # not resolved: a virtual environment's links are to stay
     below = os.path.relpath(full)

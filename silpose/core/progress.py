@@ -19,14 +19,14 @@ def bar(what: str, total: int) -> Iterator[Callable[[int], None]]:
     Parameters
     ----------
     what : str
-        Shown before the bar.
+        Shown before the bar; if empty there is none.
     total : int
         Number of items.
     """
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
     started = monotonic()
     console = Console(stderr=True)
-    unseen = not (console.is_terminal or console.is_jupyter)
+    unseen = not what or not (console.is_terminal or console.is_jupyter)
     progress = Progress(
         *columns, TimeRemainingColumn(), console=console, transient=True, disable=unseen
     )

@@ -12,7 +12,7 @@ State = dict[str, Any]
 Kind = TypeVar("Kind", bound=BaseEstimator)
 
 
-def state_of(estimator: BaseEstimator, learnt: Sequence[str]) -> State:
+def arrays_of(estimator: BaseEstimator, learnt: Sequence[str]) -> State:
     """Give an estimator's parameters, but for None and other estimators, and what it learnt."""
     parameters = {
         name: value
@@ -22,9 +22,9 @@ def state_of(estimator: BaseEstimator, learnt: Sequence[str]) -> State:
     return parameters | {name: getattr(estimator, name) for name in learnt}
 
 
-def restored(kind: type[Kind], state: State, learnt: Sequence[str]) -> Kind:
-    """Make the estimator whose `state_of` this was."""
-    values = plain(state)
+def estimator_from(kind: type[Kind], state: State, learnt: Sequence[str]) -> Kind:
+    """Make the estimator whose `arrays_of` this was."""
+    values = unwrapped(state)
     names = kind().get_params(deep=False)
     estimator = kind(**{name: values.get(name) for name in names})
     for name in learnt:
@@ -32,18 +32,18 @@ def restored(kind: type[Kind], state: State, learnt: Sequence[str]) -> Kind:
     return estimator
 
 
-def plain(state: State) -> State:
+def unwrapped(state: State) -> State:
     """Give arrays as they are, numbers and words out of theirs."""
     arrays = {name: np.asarray(value) for name, value in state.items()}
     return {name: array if array.ndim else array.item() for name, array in arrays.items()}
 
 
-def under(prefix: str, state: State) -> State:
+def prefixed(prefix: str, state: State) -> State:
     """Put a part's state below its name."""
     return {f"{prefix}.{name}": value for name, value in state.items()}
 
 
-def part(prefix: str, state: State) -> State:
+def without_prefix(prefix: str, state: State) -> State:
     """Take the state of a part out."""
     start = f"{prefix}."
     return {n.removeprefix(start): v for n, v in state.items() if n.startswith(start)}

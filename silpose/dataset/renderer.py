@@ -64,7 +64,7 @@ class Renderer:
             self.degradation,
         )
 
-    def again(self, sequences: Sequence[Take], scenes: SceneSampler) -> list[Take]:
+    def rerender(self, sequences: Sequence[Take], scenes: SceneSampler) -> list[Take]:
         """Photograph the takes of some sequences anew, in other scenes."""
         names = {sequence.take for sequence in sequences}
         motions = [take for take in self.takes if take.name in names]

@@ -209,7 +209,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         check_is_fitted(self)
         return np.array([f"centre{k}" for k in range(len(self.codebook_))], dtype=object)
 
-    def state(self) -> dict[str, Any]:
+    def to_arrays(self) -> dict[str, Any]:
         """Give parameters and what was learnt, as arrays and numbers."""
         check_is_fitted(self)
         # An .npz holds no None: what is None is left out, what is said explicitly comes back.
@@ -217,7 +217,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         return {**parameters, "codebook_": self.codebook_, "vote_width_": self.vote_width_}
 
     @classmethod
-    def from_state(cls, state: dict[str, Any]) -> ShapeContextHistogram:
+    def from_arrays(cls, state: dict[str, Any]) -> ShapeContextHistogram:
         """Restore what `state` gave."""
         learnt = {k: v for k, v in state.items() if k.endswith("_")}
         plain = {k: np.asarray(v) for k, v in state.items() if k not in learnt}

@@ -86,7 +86,7 @@ def _tracker(learnt: TrackerTraining) -> Callable[[float, float], Estimate]:
             pose_width=chosen.pose_width / np.sqrt(on_x),  # standard deviations, not β
             descriptor_width=chosen.descriptor_width / np.sqrt(on_z),
         )
-        tracker.take(keys)
+        tracker.use_fitted(keys)
         return lambda z, _: tracker.track(z).x
 
     return make

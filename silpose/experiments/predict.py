@@ -40,7 +40,7 @@ def predict(rooms: Components, run: Run, model: str | None, show: str, lag: floa
     masks = read_masks(own.source, own.blank)
     fitted = PoseModel.load(model) if model else _train(rooms, run, show)
     with run.stage("prediction"):
-        look, states = _follow(fitted, fitted.look(masks, own.blank), own.frames_per_second, lag)
+        look, states = _follow(fitted, fitted.explain(masks, own.blank), own.frames_per_second, lag)
     with run.writing("poses.csv") as path:
         _write_csv(path, mask_names(own.source, len(masks)), Poses(look.x, fitted.space), states)
     header = run.header(f"{len(masks)} masks of `{own.source}`", {})

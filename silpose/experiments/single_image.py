@@ -69,9 +69,9 @@ def _write(
     frames = slice(0, len(take))
     errors = {m: data.space.distance(take.x, e[frames]) for m, e in estimates.items()}
     look = (
-        model.look(np.asarray(take.masks))
+        model.explain(np.asarray(take.masks))
         if take.masks is not None
-        else model.look_at(described.test[0][0])
+        else model.explain_descriptors(described.test[0][0])
     )
     with run.writing("model.npz") as path:
         model.save(path)

@@ -70,7 +70,7 @@ def training_data(
     with bar("training sets", len(frames) * len(seeds) * len(varieties)) as advance:
         for trial in _trials(rooms, run, studio, methods, frames, seeds, varieties):
             test = trial.described.data.test
-            tests = {PLAIN: test, STRANGE: studio.again(test, _scenes(studio, strange))}
+            tests = {PLAIN: test, STRANGE: studio.rerender(test, _scenes(studio, strange))}
             with run.stage("evaluation"):
                 for name, takes in tests.items():
                     errors = _errors(trial, takes)

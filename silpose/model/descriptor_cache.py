@@ -50,7 +50,7 @@ class DescriptorCache:
         z = arrays.pop("z")
         if len(z) != sum(lengths):
             return None
-        descriptor = ShapeContextHistogram.from_state(arrays)
+        descriptor = ShapeContextHistogram.from_arrays(arrays)
         return descriptor, np.split(z, np.cumsum(lengths)[:-1])
 
     def store(self, descriptor: ShapeContextHistogram, z: Sequence[Array]) -> None:
@@ -58,7 +58,7 @@ class DescriptorCache:
         try:
             self.file.parent.mkdir(parents=True, exist_ok=True)
             partial = self.file.with_name(f".{self.file.stem}.partial.npz")
-            np.savez(partial, z=np.concatenate(z), **descriptor.state())
+            np.savez(partial, z=np.concatenate(z), **descriptor.to_arrays())
             partial.replace(self.file)
         except OSError as error:
             raise InputError(

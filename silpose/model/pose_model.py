@@ -148,9 +148,9 @@ class PoseModel:
         blank : {"error", "nan"}
             What a mask without foreground gives: an error, or a row of NaN.
         """
-        return Poses(self.look(masks, blank).x, self.space)
+        return Poses(self.explain(masks, blank).x, self.space)
 
-    def look(self, masks: str | Path | Masks, blank: str = "error") -> PredictionDetails:
+    def explain(self, masks: str | Path | Masks, blank: str = "error") -> PredictionDetails:
         """Estimate poses as `predict` does, and keep every step."""
         frames, seen, described = self._describe(masks, blank)
         z = np.stack([d.z for d in described])
@@ -158,7 +158,7 @@ class PoseModel:
         nearest = [np.empty(0, np.int32)] * len(frames)
         for frame, description in zip(seen, described, strict=True):
             points[frame], nearest[frame] = description.points, description.nearest
-        seen_only = self.look_at(z)
+        seen_only = self.explain_descriptors(z)
         return PredictionDetails(
             frames,
             points,
@@ -166,7 +166,7 @@ class PoseModel:
             *(_spread(rows, seen, len(frames)) for rows in (z, seen_only.activations, seen_only.x)),
         )
 
-    def look_at(self, z: Array) -> PredictionDetails:
+    def explain_descriptors(self, z: Array) -> PredictionDetails:
         """Estimate poses from descriptors ``z (F, d)``, without masks."""
         return PredictionDetails(
             [], [], [], z, self.regressor.activations(z), self.regressor.predict(z)
@@ -239,7 +239,7 @@ class PoseModel:
         }
         arrays = {"header": np.array(json.dumps(header))}
         for part in ("descriptor", "regressor", "tracker"):
-            state = {} if getattr(self, part) is None else getattr(self, part).state()
+            state = {} if getattr(self, part) is None else getattr(self, part).to_arrays()
             arrays |= {f"{part}.{name}": np.asarray(value) for name, value in state.items()}
         with Path(path).open("wb") as file:  # savez would append .npz to the name
             np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
@@ -268,13 +268,13 @@ class PoseModel:
             part, _, entry = name.partition(".")
             states[part][entry] = value
         return cls(
-            ShapeContextHistogram.from_state(states["descriptor"])
+            ShapeContextHistogram.from_arrays(states["descriptor"])
             if states["descriptor"]
             else None,
-            REGRESSORS[header["regressor"]].from_state(states["regressor"]),
+            REGRESSORS[header["regressor"]].from_arrays(states["regressor"]),
             SPACES[header["space"]],
             header["frames_per_second"],
-            TRACKERS[header["tracker"]].from_state(states["tracker"])
+            TRACKERS[header["tracker"]].from_arrays(states["tracker"])
             if states["tracker"]
             else None,
         )

@@ -131,7 +131,7 @@ class Basis(TransformerMixin, BaseEstimator):
             setattr(basis, name, getattr(self, name))
         return basis
 
-    def state(self) -> dict[str, Any]:
+    def to_arrays(self) -> dict[str, Any]:
         """Give parameters and what was learnt, as arrays and numbers."""
         check_is_fitted(self)
         names = ["indices_", "centres_", "features_", "mean_", "scale_", "beta_"]
@@ -140,7 +140,7 @@ class Basis(TransformerMixin, BaseEstimator):
         return parameters | {name: getattr(self, name) for name in names}
 
     @classmethod
-    def from_state(cls, state: dict[str, Any]) -> Basis:
+    def from_arrays(cls, state: dict[str, Any]) -> Basis:
         """Restore what `state` gave."""
         learnt = {name: np.asarray(value) for name, value in state.items() if name.endswith("_")}
         plain = {k: np.asarray(v).item() for k, v in state.items() if k not in learnt}

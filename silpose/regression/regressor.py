@@ -12,7 +12,7 @@ from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin, clone
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.core.errors import InputError
-from silpose.core.serialisation import part, under
+from silpose.core.serialisation import prefixed, without_prefix
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import Indices, NormalEquations
 
@@ -132,21 +132,21 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         check_is_fitted(self)
         return self.basis_.transform(validate_data(self, X, dtype=float, reset=False))
 
-    def state(self) -> dict[str, Any]:
+    def to_arrays(self) -> dict[str, Any]:
         """Give what is needed to predict, as arrays and numbers."""
         check_is_fitted(self)
         names = ("coef_", "intercept_", "kept_", "kept_per_output_", "relevance_")
         own = {name: getattr(self, name) for name in names}
-        return own | under("basis", self.basis_.state())
+        return own | prefixed("basis", self.basis_.to_arrays())
 
     @classmethod
-    def from_state(cls, state: dict[str, Any]) -> Regressor:
+    def from_arrays(cls, state: dict[str, Any]) -> Regressor:
         """Restore what `state` gave."""
         regressor = cls()
         for name in ("coef_", "intercept_", "relevance_"):
             setattr(regressor, name, np.asarray(state[name]))
         regressor.kept_ = float(state["kept_"])
         regressor.kept_per_output_ = float(state["kept_per_output_"])
-        regressor.basis_ = Basis.from_state(part("basis", state))
+        regressor.basis_ = Basis.from_arrays(without_prefix("basis", state))
         regressor.n_features_in_ = regressor.basis_.n_features_in_
         return regressor

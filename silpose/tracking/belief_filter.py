@@ -13,7 +13,7 @@ SETTLED = 0.7  # heading norm of a belief from which a start, or a new one, coun
 DOUBTFUL = 0.3  # heading norm below which a track counts as lost
 
 
-def correct(predicted: Array, likelihood: Array) -> tuple[Array, float]:
+def update(predicted: Array, likelihood: Array) -> tuple[Array, float]:
     """Weigh a prediction by what is seen.
 
     Parameters
@@ -71,10 +71,10 @@ class Filter:
         """Go one frame on; give the belief and the state."""
         first = self.belief is None
         predicted = self._prior if self.belief is None else self.belief @ self._transitions
-        belief, self.surprise = correct(predicted, likelihood)
+        belief, self.surprise = update(predicted, likelihood)
         lost = self.surprise > self._tolerance and not first
         if lost and self._recovers:  # perhaps it is somebody else, or somewhere else
-            belief, _ = correct((predicted + self._prior) / 2, likelihood)
+            belief, _ = update((predicted + self._prior) / 2, likelihood)
         norm = float(np.linalg.norm(belief @ self._headings))
         self.belief = belief
         self._state = next_state(self._state, lost or blank, norm)

@@ -106,7 +106,7 @@ class BeliefTracker(KeyPoseTracker):
         sequences : sequence of (z, x)
             Descriptors (F, d) and poses (F, D) of each training take.
         """
-        self.take(self.key_poses(sequences))
+        self.use_fitted(self.key_poses(sequences))
         surprises = [0.0]
         for z, _ in sequences:
             run = self._filter(self.transitions_)
@@ -116,7 +116,7 @@ class BeliefTracker(KeyPoseTracker):
         self.tolerance_ = _TOLERATED * max(surprises)
         return self.start()
 
-    def take(self, keys: KeyPoses) -> Self:
+    def use_fitted(self, keys: KeyPoses) -> Self:
         """Fit the kernels' widths to key poses at hand, so that these serve many widths."""
         if not 0 <= self.restart < 1:
             raise InputError(f"restart is a probability below 1, not {self.restart}")
@@ -207,6 +207,6 @@ class BeliefTracker(KeyPoseTracker):
         return kernel(self.examples_.pose_distances(known), self.pose_width)
 
     @classmethod
-    def from_state(cls, state: State) -> Self:
+    def from_arrays(cls, state: State) -> Self:
         """Restore what `state` gave."""
-        return super().from_state(state).start()
+        return super().from_arrays(state).start()

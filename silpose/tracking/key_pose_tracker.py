@@ -12,7 +12,14 @@ from sklearn.utils.validation import check_is_fitted
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import SPACES
-from silpose.core.serialisation import State, part, plain, restored, state_of, under
+from silpose.core.serialisation import (
+    State,
+    arrays_of,
+    estimator_from,
+    prefixed,
+    unwrapped,
+    without_prefix,
+)
 from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoseComparison, KeyPoses
 from silpose.tracking.local_regression import regress_locally
 from silpose.tracking.silhouette_regressor import SilhouetteRegressor
@@ -67,17 +74,17 @@ class KeyPoseTracker(BaseEstimator):
         poses[seen] += share * alone.trust(distances) * (alone.predict(distances) - poses[seen])
         return poses * own.scale + own.mean
 
-    def state(self) -> State:
+    def to_arrays(self) -> State:
         """Give parameters and what was learnt, as arrays, numbers and words."""
         check_is_fitted(self)
-        own = state_of(self, self._learnt) | under("examples", asdict(self.examples_))
-        return own | under("silhouette_alone", asdict(self.silhouette_alone_))
+        own = arrays_of(self, self._learnt) | prefixed("examples", asdict(self.examples_))
+        return own | prefixed("silhouette_alone", asdict(self.silhouette_alone_))
 
     @classmethod
-    def from_state(cls, state: State) -> Self:
+    def from_arrays(cls, state: State) -> Self:
         """Restore what `state` gave."""
-        tracker = restored(cls, state, cls._learnt)
-        tracker.examples_ = KeyExamples(**plain(part("examples", state)))
-        alone = plain(part("silhouette_alone", state))
+        tracker = estimator_from(cls, state, cls._learnt)
+        tracker.examples_ = KeyExamples(**unwrapped(without_prefix("examples", state)))
+        alone = unwrapped(without_prefix("silhouette_alone", state))
         tracker.silhouette_alone_ = SilhouetteRegressor(**alone)
         return tracker

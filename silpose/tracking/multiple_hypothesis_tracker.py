@@ -20,7 +20,7 @@ from sklearn.base import clone
 from sklearn.utils.validation import check_is_fitted
 
 from silpose.core.errors import InputError
-from silpose.core.serialisation import State, part, restored, state_of, under
+from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
 from silpose.regression import MixtureOfRegressors
 from silpose.regression.mixture.serialisation import mixture_from, mixture_state
 from silpose.tracking.dynamics import LEARNT_DYNAMICS, SecondOrderDynamics
@@ -132,9 +132,9 @@ class MultipleHypothesisTracker(KeyPoseTracker):
         takes = [own for _, own in sequences]
         mixture = clone(self.mixture or MixtureOfRegressors()).fit(z, x)
         dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(takes)
-        return self.take(mixture, dynamics, self.key_poses(sequences), takes)
+        return self.use_fitted(mixture, dynamics, self.key_poses(sequences), takes)
 
-    def take(
+    def use_fitted(
         self,
         mixture: MixtureOfRegressors,
         dynamics: SecondOrderDynamics,
@@ -194,7 +194,7 @@ class MultipleHypothesisTracker(KeyPoseTracker):
         self.start(lag=lag)
         for frame, row in enumerate(z):
             if frame < len(given):
-                self._run.know(given[: frame + 1])
+                self._run.initialise(given[: frame + 1])
             else:
                 self._advance(row)
             now.append(self._run.estimate())
@@ -225,7 +225,7 @@ class MultipleHypothesisTracker(KeyPoseTracker):
         )  # fmt: skip
         self._run = ParticleFilter(expected, max(lag + 1, 2), self.random_state)
         if initial is not None:
-            self._run.know(np.atleast_2d(np.asarray(initial, dtype=float)))
+            self._run.initialise(np.atleast_2d(np.asarray(initial, dtype=float)))
         return self
 
     def step(self, z: ArrayLike) -> tuple[Array, str]:
@@ -256,16 +256,16 @@ class MultipleHypothesisTracker(KeyPoseTracker):
         weights, means = self._run.modes
         return weights[:k], means[:k]
 
-    def state(self) -> State:
+    def to_arrays(self) -> State:
         """Give parameters and what was learnt, as arrays, numbers and words."""
-        own = super().state() | under("mixture", mixture_state(self.mixture_))
-        return own | under("dynamics", state_of(self.dynamics_, LEARNT_DYNAMICS))
+        own = super().to_arrays() | prefixed("mixture", mixture_state(self.mixture_))
+        return own | prefixed("dynamics", arrays_of(self.dynamics_, LEARNT_DYNAMICS))
 
     @classmethod
-    def from_state(cls, state: State) -> Self:
+    def from_arrays(cls, state: State) -> Self:
         """Restore what `state` gave."""
-        tracker = super().from_state(state)
-        tracker.mixture_ = mixture_from(part("mixture", state))
-        dynamics = part("dynamics", state)
-        tracker.dynamics_ = restored(SecondOrderDynamics, dynamics, LEARNT_DYNAMICS)
+        tracker = super().from_arrays(state)
+        tracker.mixture_ = mixture_from(without_prefix("mixture", state))
+        dynamics = without_prefix("dynamics", state)
+        tracker.dynamics_ = estimator_from(SecondOrderDynamics, dynamics, LEARNT_DYNAMICS)
         return tracker.start()

@@ -74,7 +74,7 @@ class ParticleFilter:
         self.state, self._unseen = "starting", 0
         self._hold(Hypotheses(np.empty(0), np.empty((0, length, len(expected.mean)))))
 
-    def know(self, poses: Array) -> None:
+    def initialise(self, poses: Array) -> None:
         """Begin after poses (P, D) that are certain."""
         self.state, self._unseen = "tracking", 0
         self._hold(Hypotheses.known(poses, self._length))

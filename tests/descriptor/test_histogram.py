@@ -145,7 +145,7 @@ def test_one_thread_or_two_give_the_same(sequence):
 
 
 def test_state_restores_everything(histogram, sequence):
-    restored = ShapeContextHistogram.from_state(histogram.state())
+    restored = ShapeContextHistogram.from_arrays(histogram.to_arrays())
     assert restored.get_params() == histogram.get_params()
     np.testing.assert_array_equal(
         restored.transform(sequence.masks[:3]), histogram.transform(sequence.masks[:3])

@@ -15,7 +15,7 @@ def test_poses_come_back_as_they_were(finished):
 
 
 def test_a_frame_without_an_answer_is_nan(tmp_path, finished, mask_folder):
-    look = finished.model.look(mask_folder, blank="nan")
+    look = finished.model.explain(mask_folder, blank="nan")
     header = Header("predict", "p", tmp_path / "p.rrd", "masks")
     record_prediction(header, finished.model, look, 15.0)
     estimated = read_poses(tmp_path / "p.rrd")["estimated"]

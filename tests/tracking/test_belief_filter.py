@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.tracking.belief_filter import correct, fixed_lag_smooth, reversed_time
+from silpose.tracking.belief_filter import update, fixed_lag_smooth, reversed_time
 
 
 @pytest.fixture
@@ -14,7 +14,7 @@ def chain():
 def forward(transitions, likelihoods):
     prediction, beliefs = np.full(5, 0.2), []
     for row in likelihoods:
-        beliefs.append(correct(prediction, row)[0])
+        beliefs.append(update(prediction, row)[0])
         prediction = beliefs[-1] @ transitions
     return np.array(beliefs)
 
@@ -41,14 +41,14 @@ def test_waiting_gives_the_posterior(chain, lag):
 
 
 def test_surprise_is_the_log_of_what_the_prediction_leaves():
-    belief, surprise = correct(np.array([0.25, 0.75]), np.array([1.0, 0.0]))
+    belief, surprise = update(np.array([0.25, 0.75]), np.array([1.0, 0.0]))
     assert belief == pytest.approx([1, 0])
     assert surprise == pytest.approx(-np.log(0.25))
 
 
 def test_what_is_ruled_out_keeps_the_prediction():
     predicted = np.array([1.0, 0.0])
-    belief, surprise = correct(predicted, np.array([0.0, 1.0]))
+    belief, surprise = update(predicted, np.array([0.0, 1.0]))
     assert belief is predicted
     assert surprise == np.inf
 

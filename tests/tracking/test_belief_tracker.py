@@ -119,7 +119,7 @@ def test_same_seed_same_tracker(takes, tracker):
 
 
 def test_survives_saving(tracker, unseen):
-    again = BeliefTracker.from_state({k: np.asarray(v) for k, v in tracker.state().items()})
+    again = BeliefTracker.from_arrays({k: np.asarray(v) for k, v in tracker.to_arrays().items()})
     assert again.track(unseen[0]).x == pytest.approx(tracker.track(unseen[0]).x)
 
 

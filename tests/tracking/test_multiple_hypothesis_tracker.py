@@ -16,8 +16,8 @@ def heading_off(x, estimated):
 
 
 def clone_with(tracker, **settings):
-    state = {name: np.asarray(value) for name, value in tracker.state().items()}
-    return MultipleHypothesisTracker.from_state(state).set_params(**settings)
+    state = {name: np.asarray(value) for name, value in tracker.to_arrays().items()}
+    return MultipleHypothesisTracker.from_arrays(state).set_params(**settings)
 
 
 @pytest.fixture(scope="module")
@@ -168,7 +168,7 @@ def test_two_frames_tell_no_dynamics(walk):
 
 
 def test_a_state_restores_it(tracker, unseen):
-    stored = {name: np.asarray(value) for name, value in tracker.state().items()}
+    stored = {name: np.asarray(value) for name, value in tracker.to_arrays().items()}
     assert all(value.dtype != object for value in stored.values())
-    restored = MultipleHypothesisTracker.from_state(stored)
+    restored = MultipleHypothesisTracker.from_arrays(stored)
     assert (restored.track(unseen[0]).x == tracker.track(unseen[0]).x).all()

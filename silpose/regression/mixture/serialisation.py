@@ -7,7 +7,7 @@ from dataclasses import fields
 import numpy as np
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.core.serialisation import State, part, restored, state_of, under
+from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
 from silpose.regression.mixture.experts import Experts
 from silpose.regression.mixture.mixture import MixtureOfRegressors
 from silpose.regression.mixture.reduction import PoseDirections
@@ -22,23 +22,29 @@ def mixture_state(mixture: MixtureOfRegressors) -> State:
     """Give what is needed to answer."""
     check_is_fitted(mixture)
     experts = {field.name: getattr(mixture.experts_, field.name) for field in fields(Experts)}
-    reduction = state_of(mixture.reduction_, _REDUCTION)
-    own = state_of(mixture, _MIXTURE) | under("experts", experts) | under("reduction", reduction)
+    reduction = arrays_of(mixture.reduction_, _REDUCTION)
+    own = (
+        arrays_of(mixture, _MIXTURE)
+        | prefixed("experts", experts)
+        | prefixed("reduction", reduction)
+    )
     shared = mixture.shared_
     if shared is None:
         return own
-    return own | under("shared", shared.regressor.state() | {"variances": shared.variances})
+    return own | prefixed("shared", shared.regressor.to_arrays() | {"variances": shared.variances})
 
 
 def mixture_from(state: State) -> MixtureOfRegressors:
     """Restore what `mixture_state` gave."""
-    mixture = restored(MixtureOfRegressors, state, _MIXTURE)
-    experts = {name: np.asarray(value) for name, value in part("experts", state).items()}
+    mixture = estimator_from(MixtureOfRegressors, state, _MIXTURE)
+    experts = {name: np.asarray(value) for name, value in without_prefix("experts", state).items()}
     mixture.experts_ = Experts(**experts)
-    mixture.reduction_ = restored(PoseDirections, part("reduction", state), _REDUCTION)
-    shared = part("shared", state)
+    mixture.reduction_ = estimator_from(
+        PoseDirections, without_prefix("reduction", state), _REDUCTION
+    )
+    shared = without_prefix("shared", state)
     mixture.shared_ = None
     if shared:
-        regressor = Regressor.from_state(shared)
+        regressor = Regressor.from_arrays(shared)
         mixture.shared_ = SharedRegressor(regressor, np.asarray(shared["variances"]))
     return mixture

@@ -1,36 +1,74 @@
-"""Folds of cross-validation: over sequences, never over frames."""
+"""Folds of cross-validation: over takes, never over frames."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
+from silpose.core.types import Array, Examples
 
-Array = NDArray[np.float64]
-Examples = Sequence[tuple[Array, Array]]
+
+@dataclass(frozen=True)
+class Fold:
+    """Takes to learn from, and held-out takes to judge by.
+
+    Attributes
+    ----------
+    train, validation : sequence of (z, x)
+        Descriptors (F, d) and poses (F, D) of each take.
+    """
+
+    train: Examples
+    validation: Examples
+
+    @cached_property
+    def z(self) -> Array:
+        """All training descriptors, shape (n, d)."""
+        return np.concatenate([z for z, _ in self.train])
+
+    @cached_property
+    def x(self) -> Array:
+        """All training poses, shape (n, D)."""
+        return np.concatenate([x for _, x in self.train])
+
+    @cached_property
+    def z_validation(self) -> Array:
+        """All held-out descriptors, shape (m, d)."""
+        return np.concatenate([z for z, _ in self.validation])
+
+    @cached_property
+    def x_validation(self) -> Array:
+        """All held-out poses, shape (m, D)."""
+        return np.concatenate([x for _, x in self.validation])
+
+    @property
+    def frames(self) -> int:
+        """Number of held-out frames."""
+        return sum(len(x) for _, x in self.validation)
 
 
 def partition(
     lengths: Sequence[int], most: int, groups: Sequence[str] | None = None
 ) -> list[set[int]]:
-    """Deal training sequences into parts that are left out by turns.
+    """Partition training takes into parts that are left out by turns.
 
     Parameters
     ----------
     lengths : sequence of int
-        Of the sequences, frames.
+        Frames of each take.
     most : int
-        Parts, of about equal size, if there are more sequences.
+        Number of parts, of about equal size, if there are as many takes.
     groups : sequence of str, optional
-        Of each sequence, such as its performer; each group is a part of its own.
+        Group of each take, such as its performer; each group is a part of its own.
 
     Returns
     -------
     parts : list of set of int
-        Which sequences, two parts or more.
+        Indices of takes, two parts or more.
     """
     if groups is not None:
         parts = [{k for k, g in enumerate(groups) if g == own} for own in sorted(set(groups))]
@@ -46,28 +84,31 @@ def partition(
 def folds(
     train: Examples,
     validation: Examples = (),
+    *,
     most: int = 8,
     groups: Sequence[str] | None = None,
-) -> list[tuple[Examples, Examples]]:
-    """Pair sequences to learn from with sequences to judge by.
+) -> list[Fold]:
+    """Pair takes to learn from with takes to judge by.
 
     Parameters
     ----------
     train, validation : sequence of (z, x)
-        Descriptors and poses of each sequence. Where there are validation sequences, they judge;
-        else the training sequences take turns.
-    most, groups
-        As for `partition`.
+        Descriptors and poses of each take. If there are validation takes, they judge; otherwise
+        the training takes are left out by turns.
+    most : int, default=8
+        Number of folds, at most, without validation takes and groups.
+    groups : sequence of str, optional
+        Group of each training take; without validation takes, one group is left out at a time.
 
     Returns
     -------
-    pairs : list of (learnt from, judged by)
+    folds : list of Fold
     """
     if validation:
-        return [(train, validation)]
+        return [Fold(train, validation)]
     return [
-        (
-            [sequence for k, sequence in enumerate(train) if k not in part],
+        Fold(
+            [take for k, take in enumerate(train) if k not in part],
             [train[k] for k in sorted(part)],
         )
         for part in partition([len(x) for _, x in train], most, groups)

@@ -186,7 +186,7 @@ class Candidates:
                 state = minimise_with_bridges(system, last, nu, self.rvm.max_iter, self.rvm.tol)
                 problem.states[width] = problem.states[width, nu] = state
             regressor = RelevanceVectorRegressor(self.basis.basis(width), nu=nu, **self._limits())
-            regressor.take(basis, system, nu, problem.states[width, nu])
+            regressor.use_fitted(basis, system, nu, problem.states[width, nu])
             yield regressor
 
     def _sparse(self, whole: _Problem, width: float, wanted: float) -> Regressor:
@@ -197,7 +197,9 @@ class Candidates:
         count = max(1, int(wanted * basis.size_))
         start = Bridges.start(system)
         limits = self.rvm.max_iter, self.rvm.tol
-        regressor.take(basis, system, *sparsest_within(system, count, _FIRST_NU, start, *limits))
+        regressor.use_fitted(
+            basis, system, *sparsest_within(system, count, _FIRST_NU, start, *limits)
+        )
         return regressor
 
     def _svm(

@@ -77,7 +77,7 @@ class RelevanceVectorRegressor(Regressor):
             raise InputError(f"prior is 'column' or 'component', not '{self.prior}'")
         if self.keep_at_most is None:
             fit = self._columns if self.prior == "column" else self._components
-            self.take(basis, system, self.nu, fit(system))
+            self.use_fitted(basis, system, self.nu, fit(system))
             if not len(self.relevance_):
                 warnings.warn(
                     f"nu={self.nu:.3g} removes all basis functions: the mean is predicted",
@@ -92,7 +92,7 @@ class RelevanceVectorRegressor(Regressor):
         count = max(1, int(self.keep_at_most * basis.size_))
         start = Bridges.start(system)
         nu, end = sparsest_within(system, count, self.nu, start, self.max_iter, self.tol)
-        self.take(basis, system, nu, end)
+        self.use_fitted(basis, system, nu, end)
 
     def _columns(self, system: NormalEquations) -> Bridges:
         return minimise_with_bridges(
@@ -115,7 +115,7 @@ class RelevanceVectorRegressor(Regressor):
         history = [(len(kept), np.nan)] * len(steps)
         return Bridges(kept, a[kept], damping[kept].min(axis=1, initial=np.inf), history)
 
-    def take(self, basis: Basis, system: NormalEquations, nu: float, end: Bridges) -> None:
+    def use_fitted(self, basis: Basis, system: NormalEquations, nu: float, end: Bridges) -> None:
         """Become the regressor at the end of a path."""
         self.nu_ = nu
         self.history_ = np.array(end.history, dtype=float).reshape(-1, 2)

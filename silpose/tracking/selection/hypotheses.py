@@ -71,4 +71,4 @@ def choose_hypotheses(
     )
     chosen = tracker(**best, **shares)
     keys = chosen.key_poses(selection.train)
-    return chosen.take(mixture, dynamics, keys, [x for _, x in selection.train])
+    return chosen.use_fitted(mixture, dynamics, keys, [x for _, x in selection.train])

@@ -106,7 +106,7 @@ def test_constants_duplicates_and_one_output(smooth):
 def test_state_restores_the_predictions(smooth):
     (z, x), (unseen, _) = smooth
     regressor = RelevanceVectorRegressor(nu=0.1).fit(z, x)
-    restored = RelevanceVectorRegressor.from_state(regressor.state())
+    restored = RelevanceVectorRegressor.from_arrays(regressor.to_arrays())
     np.testing.assert_array_equal(restored.predict(unseen), regressor.predict(unseen))
     np.testing.assert_array_equal(restored.relevance_, regressor.relevance_)
 

@@ -1,0 +1,58 @@
+"""An estimator, and the values that a search may choose some of its parameters from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+from typing import Any, Generic, TypeVar
+
+from sklearn.base import BaseEstimator, clone
+
+from silpose.core.types import Settings
+
+Estimator = TypeVar("Estimator", bound=BaseEstimator)
+
+
+@dataclass(frozen=True)
+class Candidates(Generic[Estimator]):
+    """Estimators of one kind that differ in some of their parameters.
+
+    Attributes
+    ----------
+    estimator : estimator
+        Never fitted; what the grid does not name is as in this one.
+    grid : mapping of str to sequence, default={}
+        Values of parameters to choose from.
+
+    Examples
+    --------
+    >>> from silpose.regression import RidgeRegressor
+    >>> Candidates(RidgeRegressor(), {"damping": [0.1, 1.0]}).settings("damping")
+    [{'damping': 0.1}, {'damping': 1.0}]
+    """
+
+    estimator: Estimator
+    grid: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+
+    def values(self, name: str) -> list[Any]:
+        """List the values of one parameter: those of the grid, or the estimator's own."""
+        return list(self.grid.get(name, [getattr(self.estimator, name)]))
+
+    def settings(self, *names: str) -> list[Settings]:
+        """List every combination of the values of some parameters; without names, of the grid."""
+        names = names or tuple(self.grid)
+        return [
+            dict(zip(names, values, strict=True))
+            for values in product(*(self.values(name) for name in names))
+        ]
+
+    def create(self, **settings: Any) -> Estimator:
+        """Create the estimator with some parameters set."""
+        estimator: Estimator = clone(self.estimator)
+        return estimator.set_params(**settings)
+
+    def with_parameters(self, **parameters: Any) -> Candidates[Estimator]:
+        """Change parameters of the estimator, which are then no longer chosen."""
+        grid = {name: values for name, values in self.grid.items() if name not in parameters}
+        return Candidates(self.create(**parameters), grid)
