@@ -1,35 +1,37 @@
-"""How many masks a second the descriptor takes: python benchmarks/descriptor.py."""
+"""Masks described per second: python benchmarks/descriptor.py [--fast]."""
 
 import sys
 from pathlib import Path
 
 import cv2
 import numpy as np
-from timing import per_second, report
+from timing import FAST, per_second, report
 
-from silpose.app.config import build_components, load
+from silpose.dataset import render_take
 from silpose.descriptor import ShapeContextHistogram
 from silpose.descriptor.boundary import boundary_pixels, extent, spaced_indices
 from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
 from silpose.descriptor.voting import soft_votes
+from silpose.motion import WalkerTakes
+from silpose.silhouette import Body, Camera
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "descriptor"))
 import reference
 
 
 def rough_masks(count: int) -> list[np.ndarray]:
-    """256 x 256 masks that people fill from top to bottom, their outline frayed."""
-    overrides = ["silhouette.camera.focal_length=2.5", f"motion.test_seconds={count / 15}"]
+    """Masks of 256 x 256 pixels that people fill from top to bottom, with frayed outlines."""
+    test = WalkerTakes(test_seconds=count / 15).takes()[-1]
     rng = np.random.default_rng(0)
     masks = []
-    for mask in build_components(load(overrides)).dataset().test[0].masks:
+    for mask in render_take(test, Body(), Camera(focal_length=2.5)).masks:
         edge = mask ^ cv2.erode(mask, np.ones((3, 3), np.uint8))
         masks.append(mask ^ (edge & (rng.random(mask.shape) < 0.08).astype(np.uint8)))
     return masks
 
 
 def steps(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> dict[str, float]:
-    """Masks a second through each step alone."""
+    """Masks per second of each step alone."""
     outlines = [boundary_pixels(mask) for mask in masks]
     pixels = [p for p, _ in outlines]
     points = [description.points for description in histogram.describe(masks)]
@@ -41,7 +43,7 @@ def steps(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> dict[str
     norms = (histogram.codebook_**2).sum(axis=1)
     voters, width = histogram.voters, histogram.vote_width_
     work = {
-        "cv2.findContours alone, the floor": lambda: [
+        "cv2.findContours alone, the lower limit": lambda: [
             cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE) for mask in masks
         ],
         "boundary, with findContours": lambda: [boundary_pixels(mask) for mask in masks],
@@ -56,7 +58,7 @@ def steps(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> dict[str
 
 
 def in_numpy(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> float:
-    """Masks a second by the same definition in NumPy."""
+    """Masks per second of the same definition in NumPy."""
     descriptions = histogram.describe(masks)
 
     def describe() -> None:
@@ -71,17 +73,17 @@ def in_numpy(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> float
 
 
 if __name__ == "__main__":
-    masks = rough_masks(200)
+    masks = rough_masks(30 if FAST else 200)
     pixels = int(np.mean([len(boundary_pixels(mask)[0]) for mask in masks]))
     histogram = ShapeContextHistogram(n_jobs=1).fit(masks)
     everywhere = ShapeContextHistogram(edge_points=None, n_jobs=1).fit(masks)
     closed = ShapeContextHistogram(closing=0.07, n_jobs=1).fit(masks)
-    everyone = ShapeContextHistogram(voters=None, n_jobs=1).fit(masks)
+    all_centres = ShapeContextHistogram(voters=None, n_jobs=1).fit(masks)
     rates = {}
     for name, one in {
         "mask to z, 200 edge points": histogram,
         f"mask to z, all {pixels} points": everywhere,
-        "mask to z, 200 points vote for all centres": everyone,
+        "mask to z, 200 points vote for all centres": all_centres,
         "mask to z, 200 points, gaps closed": closed,
     }.items():
         rates[name] = per_second(lambda one=one: one.transform(masks), len(masks))
@@ -90,14 +92,14 @@ if __name__ == "__main__":
         rates[f"{name}, two cores"] = per_second(
             lambda both=both, many=many: both.transform(many), len(many)
         )
-    rates["in NumPy, 200 edge points"] = in_numpy(histogram, masks[:40])
+    rates["in NumPy, 200 edge points"] = in_numpy(histogram, masks[: 3 if FAST else 40])
     report(
         f"{len(masks)} masks of 256 x 256, {pixels} boundary pixels on average, one core",
-        ["what", "masks a second", "µs a mask"],
+        ["what", "masks per second", "µs a mask"],
         [[name, f"{rate:,.0f}", f"{1e6 / rate:,.0f}"] for name, rate in rates.items()],
     )
     report(
         "where the time goes, 200 edge points, each step alone",
-        ["step", "masks a second", "µs a mask"],
+        ["step", "masks per second", "µs a mask"],
         [[n, f"{r:,.0f}", f"{1e6 / r:,.0f}"] for n, r in steps(histogram, masks).items()],
     )

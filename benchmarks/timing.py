@@ -1,7 +1,11 @@
-"""How every benchmark here measures: one thread, the best of several rounds."""
+"""What all benchmarks share: measurement on one thread, best of several rounds, and a table.
+
+With ``--fast`` every benchmark takes a few seconds; its figures then mean little.
+"""
 
 import os
 import platform
+import sys
 from collections.abc import Callable
 from time import perf_counter
 
@@ -10,16 +14,17 @@ from rich.console import Console
 from rich.table import Table
 from threadpoolctl import threadpool_limits
 
-ROUNDS = 5
+FAST = "--fast" in sys.argv
+ROUNDS = 1 if FAST else 5
 
 
 def per_second(work: Callable[[], object], items: int, rounds: int = ROUNDS) -> float:
-    """Items a second on one core, best of some rounds after a first one to warm up."""
+    """Items per second on one core, best of some rounds after a first one to warm up."""
     cv2.setNumThreads(1)
     with threadpool_limits(1):
         work()
         took = []
-        for _ in range(rounds):
+        for _ in range(min(rounds, ROUNDS)):
             started = perf_counter()
             work()
             took.append(perf_counter() - started)
@@ -27,7 +32,7 @@ def per_second(work: Callable[[], object], items: int, rounds: int = ROUNDS) -> 
 
 
 def report(title: str, columns: list[str], rows: list[list[str]]) -> None:
-    """Print a table under what was run, and where."""
+    """Print a table of what was measured, and on which machine."""
     table = Table(title=title, title_justify="left", caption_justify="left")
     table.caption = (
         f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}"

@@ -1,30 +1,37 @@
-"""How long a live step takes, from mask to pose: python benchmarks/tracking.py."""
+"""How long a live step takes, from mask to pose: python benchmarks/tracking.py [--fast].
+
+Trackers are fitted to motion of walkers; with ``--fast``, to few seconds of it.
+"""
 
 from time import perf_counter
 
 import cv2
 import numpy as np
 from threadpoolctl import threadpool_limits
-from timing import report
+from timing import FAST, report
 
-from silpose.app.config import build_components, load
-from silpose.model.describe import examples, learn_descriptor
-from silpose.model.pose_model import PoseModel
+from silpose.dataset import Renderer, SamePerformer
+from silpose.descriptor import ShapeContextHistogram
+from silpose.model import describe_dataset
+from silpose.motion import WalkerTakes
 from silpose.regression import Basis, MixtureOfRegressors, RidgeRegressor
-from silpose.tracking import BeliefTracker, MultipleHypothesisTracker
+from silpose.tracking import BeliefTracker, MultipleHypothesisTracker, SinglePoseTracker
 
 if __name__ == "__main__":
-    rooms = build_components(load(["descriptor.n_jobs=1"]))
-    data = rooms.dataset()
-    descriptor = learn_descriptor(rooms.descriptor, data.train)
-    train = examples(descriptor, data.train)
+    walkers = WalkerTakes(seconds=3, test_seconds=3) if FAST else WalkerTakes()
+    descriptor = ShapeContextHistogram(codebook_size=40) if FAST else ShapeContextHistogram()
+    described = describe_dataset(SamePerformer().load(Renderer(walkers)), descriptor)
+    train, space = described.train, described.data.space
     frames = sum(len(x) for _, x in train)
-    ridge = RidgeRegressor(Basis(hellinger=True, width=4.0))
-    mixture = MixtureOfRegressors(120, hellinger=True, units=data.space.units, shared=ridge)
+    ridge = RidgeRegressor(Basis(width=4.0))
+    mixture = MixtureOfRegressors(20 if FAST else 120, units=space.units, shared=ridge)
     trackers = {
         "belief": BeliefTracker(pose_width=0.7, descriptor_width=0.8, damping=4.0),
         "hypotheses": MultipleHypothesisTracker(mixture),
+        "single pose": SinglePoseTracker(),
     }
+    masks = [*described.data.test[0].masks] * (1 if FAST else 3)
+    known = described.test[0][1][:2]
     cv2.setNumThreads(1)
     rows = []
     with threadpool_limits(1):
@@ -32,12 +39,11 @@ if __name__ == "__main__":
             started = perf_counter()
             tracker.fit(train)
             fitted = perf_counter() - started
-            model = PoseModel(descriptor, RidgeRegressor(), data.space, 15.0, tracker)
+            stream = tracker.start(known)
             took = []
-            step = model.stream()
-            for mask in [*data.test[0].masks] * 3:
+            for mask in masks:
                 started = perf_counter()
-                step(mask)
+                stream.step(described.descriptor.transform([mask])[0])
                 took.append(1000 * (perf_counter() - started))
             rows += [
                 [f"{name}: fitting to {frames} frames", f"{1000 * fitted:,.0f}"],
@@ -45,4 +51,5 @@ if __name__ == "__main__":
                 [f"{name}: step, 99th percentile", f"{np.quantile(took, 0.99):.2f}"],
                 [f"{name}: step, longest", f"{max(took):.2f}"],
             ]
-    report(f"{len(took)} masks of 256 x 256 to poses, one core", ["what", "milliseconds"], rows)
+    size = "x".join(map(str, masks[0].shape))
+    report(f"{len(took)} masks of {size} to poses, one core", ["what", "milliseconds"], rows)

@@ -13,7 +13,7 @@
 # %% [markdown]
 # # A silhouette as a hundred numbers
 #
-# From the outline of a mask to its descriptor z, and why z survives local damage.
+# From the boundary of a mask to its descriptor z, and why z changes little by local damage.
 #
 # **1. Masks** of walkers, and the descriptor fitted to them: it learns a codebook.
 
@@ -23,24 +23,24 @@ import os
 import matplotlib.pyplot as plt
 import numpy as np
 
-from silpose.app.config import build_components, load
+from silpose.dataset import Renderer, SamePerformer
+from silpose.descriptor import ShapeContextHistogram
+from silpose.motion import WalkerTakes
 
-fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-rooms = build_components(load(fast))
-data = rooms.dataset()
+fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
+data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
 train = np.concatenate([take.masks for take in data.train])
 test = data.test[0]
-descriptor = rooms.descriptor.fit(train)
-seen = descriptor.describe(test.masks)
+descriptor = ShapeContextHistogram().fit(train)
+described = descriptor.describe(test.masks)
 
 # %% [markdown]
-# **2. One shape context.** Where does the rest of the outline lie, seen from one of the 200 edge
-# points? Rings grow with the distance, so that what is near is seen in detail: a log-polar
-# histogram.
+# **2. One shape context** is a log-polar histogram of the boundary around one of the 200 edge
+# points. Rings grow with the distance, so that it has more detail near the point.
 
 # %%
-widest = test.masks.any(axis=1).sum(axis=1).argmax()  # where legs are apart
-mask, one = test.masks[widest], seen[widest]
+widest = test.masks.any(axis=1).sum(axis=1).argmax()  # where the legs are apart
+mask, one = test.masks[widest], described[widest]
 x, y = one.points[40]
 sectors = (np.arange(descriptor.angular_bins + 1) - 0.5) * 2 * np.pi / descriptor.angular_bins
 figure = plt.figure(figsize=(10, 4.5))
@@ -63,7 +63,7 @@ plt.show()
 
 # %% [markdown]
 # **3. The codebook.** A hundred typical contexts, found by k-means. Each has a colour, and each
-# edge point the colour of the centre that it is nearest to: arms, legs and head have their own.
+# edge point the colour of its nearest centre: arms, legs and head have their own.
 
 # %%
 from silpose.recording import codebook_picture
@@ -89,7 +89,7 @@ plt.xlabel("centre of the codebook")
 plt.show()
 
 # %% [markdown]
-# **5. Damage is local.** Cut off a limb: only edge points near the cut see another context (red).
+# **5. Damage is local.** Without a limb, only edge points near the cut have another context (red).
 # The votes of the limb are gone, those of the cut are new, and the other bins hardly change.
 
 # %%
@@ -111,28 +111,28 @@ right.set_title(f"{50 * np.abs(one.z - two.z).sum():.0f} % of the votes have mov
 plt.show()
 
 # %% [markdown]
-# **6. All kinds of damage.** Votes move about as far as the outline is damaged: nothing breaks.
+# **6. All kinds of damage.** The votes that move are about as many as the boundary is damaged.
 
 # %%
 for kind in DEGRADATIONS:
-    harm, votes = [], []
-    for frame, whole in enumerate(test.masks[::6]):
-        worse = degrade(whole, kind, 0.5, np.random.default_rng(frame))
-        harm.append(100 * contour_damage(whole, worse))
-        votes.append(50 * np.abs(seen[6 * frame].z - descriptor.transform([worse])[0]).sum())
-    plt.plot(np.mean(harm), np.mean(votes), "o", label=kind.replace("_", " "))
+    damage, votes = [], []
+    for frame, mask in enumerate(test.masks[::6]):
+        damaged = degrade(mask, kind, 0.5, np.random.default_rng(frame))
+        damage.append(100 * contour_damage(mask, damaged))
+        votes.append(50 * np.abs(described[6 * frame].z - descriptor.transform([damaged])[0]).sum())
+    plt.plot(np.mean(damage), np.mean(votes), "o", label=kind.replace("_", " "))
 plt.axline((0, 0), slope=1, color="0.8", zorder=0)
-plt.xlabel("% of the outline lost or false")
+plt.xlabel("% of the boundary lost or false")
 plt.ylabel("% of the votes moved")
 plt.legend(fontsize=8)
 plt.show()
 
 # %% [markdown]
-# **7. Alike in z, alike in pose?** Every two frames of the test walk, dark where they are alike.
-# The same stripes, but z has more: dark where silhouettes are alike and poses are not.
+# **7. Similar in z, similar in pose?** All pairs of frames of the test walk, dark where they are
+# similar. The stripes are the same, but z has more: silhouettes are similar where poses are not.
 
 # %%
-z = np.stack([description.z for description in seen])
+z = np.stack([description.z for description in described])
 between = {
     "descriptors": np.linalg.norm(np.sqrt(z)[:, None] - np.sqrt(z), axis=2),
     "poses": data.space.pairwise(test.x, test.x),
@@ -144,19 +144,20 @@ for axes, (name, distances) in zip(columns, between.items(), strict=True):
 plt.show()
 
 # %% [markdown]
-# **8. Watch it.** Middle: all contexts in the plane of their two principal components. Press play,
-# and see where this silhouette's lie.
+# **8. Watch it.** Middle: all contexts in the plane of their first two principal components. Press
+# play to see where this silhouette's are.
 
 # %%
 from pathlib import Path
 
-from silpose.descriptor.context_space import ContextSpace
-from silpose.recording import Header, record_context_space, show
+import silpose
+from silpose.descriptor import ContextSpace
+from silpose.recording import Header, record_context_space
 
 cloud = np.concatenate([d.contexts for d in descriptor.describe(train[::50])])
-space = ContextSpace.of(cloud, descriptor.codebook_, seen)
+space = ContextSpace.of(cloud, descriptor.codebook_, described)
 header = Header("descriptor", "notebook", Path("descriptor.rrd"), f"test of {test.performer}")
 rate = test.frames_per_second
 book = descriptor.codebook_, descriptor.angular_bins
-record_context_space(header, test.masks, seen, space, *book, rate)
-show(header.file)
+record_context_space(header, test.masks, described, space, *book, rate)
+silpose.show(header.file)

@@ -14,7 +14,7 @@
 # # How few examples are enough?
 #
 # A relevance vector machine keeps the training silhouettes that matter, one set for all 55 numbers
-# of a pose. Raise ν, and fewer stay.
+# of a pose. The larger ν, the fewer are kept.
 #
 # **1. Descriptors and poses** of ten walkers.
 
@@ -23,15 +23,17 @@ import os
 
 import numpy as np
 
-from silpose.app.config import build_components, load
-from silpose.dataset import poses
+from silpose.dataset import Renderer, SamePerformer, poses
+from silpose.descriptor import ShapeContextHistogram
+from silpose.motion import WalkerTakes
 
-fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-rooms = build_components(load(fast))
-data = rooms.dataset()
+fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
+data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+test = data.test[0]
+descriptor = ShapeContextHistogram()
 masks = np.concatenate([take.masks for take in data.train])
-z, x = rooms.descriptor.fit_transform(masks), poses(data.train)
-z_test, x_test = rooms.descriptor.transform(data.test[0].masks), data.test[0].x
+z, x = descriptor.fit_transform(masks), poses(data.train)
+z_test, x_test = descriptor.transform(test.masks), test.x
 print(z.shape, x.shape)
 
 # %% [markdown]
@@ -40,15 +42,15 @@ print(z.shape, x.shape)
 # %%
 from silpose.regression import Basis, RelevanceVectorRegressor, RidgeRegressor
 
-basis = Basis(width=2, hellinger=True)
+basis = Basis(width=2)
 ridge = RidgeRegressor(basis, damping=0.1).fit(z, x)
 path = [RelevanceVectorRegressor(basis, nu=nu).fit(z, x) for nu in (4, 8, 16, 32, 64, 128)]
 errors = [data.space.distance(x_test, rvm.predict(z_test)).mean() for rvm in path]
 for rvm, error in zip(path, errors, strict=True):
-    print(f"nu={rvm.nu:3}: {rvm.kept_:4.0%} kept, {error:.2f}° off")
+    print(f"nu={rvm.nu:3}: {rvm.kept_:4.0%} kept, error {error:.2f}°")
 
 # %% [markdown]
-# **3. Sparse against dense,** and against always answering the mean pose.
+# **3. Sparse against dense,** and against always estimating the mean pose.
 
 # %%
 import matplotlib.pyplot as plt
@@ -77,7 +79,7 @@ plt.axis("off")
 plt.show()
 
 # %% [markdown]
-# **5. How sure?** Two standard deviations around the estimated left hip angle, and the true one.
+# **5. Uncertainty:** two standard deviations around the estimated left hip angle, and the true one.
 
 # %%
 estimated, std = sparse.predict(z_test, return_std=True)
@@ -88,27 +90,26 @@ plt.figure(figsize=(12, 3))
 plt.fill_between(frames, low, high, alpha=0.3, label="two standard deviations")
 plt.plot(frames, x_test[:, column], "k", label="true")
 inside = np.mean((low < x_test[:, column]) & (x_test[:, column] < high))
-plt.title(f"left hip: {inside:.0%} of the frames lie inside")
+plt.title(f"left hip: {inside:.0%} of the frames are inside")
 plt.legend(loc="upper right")
 plt.show()
 
 # %% [markdown]
-# **6. Watch it.** A sparse machine at work: which of the silhouettes that it kept answer (bars
-# in orange), and which of them speak for this very pose.
+# **6. Watch it.** Orange bars show how much each kept silhouette contributes to the pose of a
+# frame, and *Why this pose?* the ones with the largest weight.
 
 # %%
 from pathlib import Path
 
-from silpose.model.pose_model import PoseModel
-from silpose.recording import Header, Reasons, Truth, record_single_image, show
+import silpose
+from silpose.recording import GroundTruth, Header, InfluentialExamples, record_single_image
 
-test = data.test[0]
-model = PoseModel(rooms.descriptor, sparse, data.space, test.frames_per_second)
-seen = model.explain(test.masks)
-both = {"rvm": seen.x, "ridge": ridge.predict(z_test)}
+model = silpose.PoseModel(descriptor, sparse, data.space, test.frames_per_second)
+details = model.explain(test.masks)
+both = {"rvm": details.x, "ridge": ridge.predict(z_test)}
 errors = {method: data.space.distance(x_test, x) for method, x in both.items()}
-truth = Truth.of(test, rooms.camera, errors, data.space)
-why = Reasons.of(sparse, seen, data.train, rooms.camera, data.space)
+truth = GroundTruth.of(test, test.camera, errors, data.space)
+examples = InfluentialExamples.of(sparse, details, data.train, test.camera, data.space)
 header = Header("regression", "notebook", Path("regression.rrd"), f"test of {test.performer}")
-record_single_image(header, model, seen, truth, list(errors), why)
-show(header.file)
+record_single_image(header, model, details, truth, list(errors), examples)
+silpose.show(header.file)

@@ -13,8 +13,8 @@
 # %% [markdown]
 # # One silhouette is ambiguous, a walk is not
 #
-# Which leg is in front? A silhouette often cannot tell, but the one before it could. The tracker
-# carries a belief over key poses from frame to frame.
+# Which leg is in front? A single silhouette often does not determine it, but the ones before it do.
+# The tracker propagates a belief over key poses from frame to frame.
 #
 # **1. Descriptors and poses,** take by take.
 
@@ -23,25 +23,27 @@ import os
 
 import numpy as np
 
-from silpose.app.config import build_components, load
-from silpose.dataset import poses
+from silpose.dataset import Renderer, SamePerformer, poses
+from silpose.descriptor import ShapeContextHistogram
+from silpose.motion import WalkerTakes
 
-fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-rooms = build_components(load(fast))
-data = rooms.dataset()
-rooms.descriptor.fit(np.concatenate([take.masks for take in data.train]))
-train = [(rooms.descriptor.transform(take.masks), take.x) for take in data.train]
+fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
+data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+descriptor = ShapeContextHistogram()
+descriptor.fit(np.concatenate([take.masks for take in data.train]))
+train = [(descriptor.transform(take.masks), take.x) for take in data.train]
 test = data.test[0]
-z = rooms.descriptor.transform(test.masks)
+z = descriptor.transform(test.masks)
 
 # %% [markdown]
-# **2. Each image on its own,** the tracker, and the tracker when it may wait for half a second.
+# **2. Estimates** of each image on its own, of the tracker, and of the tracker with a lag of half a
+# second.
 
 # %%
 from silpose.regression import Basis, RidgeRegressor
 from silpose.tracking import BeliefTracker
 
-single = RidgeRegressor(Basis(width=2, hellinger=True), damping=0.1)
+single = RidgeRegressor(Basis(width=2), damping=0.1)
 single.fit(np.concatenate([z for z, _ in train]), poses(data.train))
 tracker = BeliefTracker(pose_width=0.7, descriptor_width=0.8, damping=4.0).fit(train)
 track = tracker.track(z, lag=7)
@@ -51,10 +53,10 @@ estimates = {
     "tracker_lag": track.x,
 }
 for name, x in estimates.items():
-    print(f"{name}: {data.space.distance(test.x, x).mean():.2f}° off")
+    print(f"{name}: {data.space.distance(test.x, x).mean():.2f}°")
 
 # %% [markdown]
-# **3. The left thigh over time:** glitches, and none.
+# **3. The left thigh over time,** with glitches and without.
 
 # %%
 import matplotlib.pyplot as plt
@@ -70,7 +72,7 @@ rows[-1].set_xlabel("frame")
 plt.show()
 
 # %% [markdown]
-# **4. The belief** over key poses, ordered by where they face: it wanders as the walker turns.
+# **4. The belief** over key poses, ordered by their heading: it moves as the walker turns.
 
 # %%
 facing = data.space.heading(tracker.examples_.headings)
@@ -82,16 +84,16 @@ plt.ylabel("key poses, by heading")
 plt.show()
 
 # %% [markdown]
-# **5. Lost and found:** a second without any silhouette.
+# **5. Recovery** after a second without any silhouette.
 
 # %%
-blind = z.copy()
-blind[25:40] = np.nan
-found = tracker.track(blind)
-error = data.space.distance(test.x, found.x)
+blank = z.copy()
+blank[25:40] = np.nan
+recovered = tracker.track(blank)
+error = data.space.distance(test.x, recovered.x)
 plt.figure(figsize=(12, 3))
 plt.plot(error)
-lost = np.array([state == "lost" for state in found.state])
+lost = np.array([state == "lost" for state in recovered.state])
 plt.fill_between(np.arange(len(error)), 0, error.max(), where=lost, alpha=0.3, label="lost")
 plt.ylabel("error, degrees")
 plt.xlabel("frame")
@@ -99,17 +101,18 @@ plt.legend()
 plt.show()
 
 # %% [markdown]
-# **6. Watch it.** Estimates side by side, each on the truth; the tracker's state in the lane
+# **6. Watch it.** Estimates side by side, each on the true pose; the tracker's state is in the lane
 # below.
 
 # %%
 from pathlib import Path
 
-from silpose.recording import Header, Truth, record_tracking, show
+import silpose
+from silpose.recording import GroundTruth, Header, record_tracking
 
 errors = {name: data.space.distance(test.x, x) for name, x in estimates.items()}
-truth = Truth.of(test, rooms.camera, errors, data.space)
+truth = GroundTruth.of(test, test.camera, errors, data.space)
 shown = {name: estimates[name] for name in ("ridge", "tracker")}
 header = Header("tracking", "notebook", Path("tracking.rrd"), f"test of {test.performer}")
 record_tracking(header, test, truth, shown, track, facing, data.space)
-show(header.file)
+silpose.show(header.file)

@@ -13,8 +13,8 @@
 # %% [markdown]
 # # One silhouette, several poses
 #
-# Which leg is in front? Does the person come or go? A silhouette cannot always tell. A mixture of
-# regressors gives all explanations, each with its probability.
+# Which leg is in front? Does the person come or go? A silhouette does not always determine it. A
+# mixture of regressors gives all likely poses, each with its probability.
 #
 # **1. Descriptors and poses,** take by take.
 
@@ -24,46 +24,51 @@ import os
 import matplotlib.pyplot as plt
 import numpy as np
 
-from silpose.app.config import build_components, load
+from silpose.dataset import Renderer, SamePerformer
+from silpose.descriptor import ShapeContextHistogram
+from silpose.motion import WalkerTakes
 
-fast = [
-    *("motion.seconds=4", "motion.test_seconds=4"),
-    *("regression.mixture.clusters=30", "regression.mixture.temperature=8"),
-]
-rooms = build_components(load(fast if os.environ.get("SILPOSE_FAST") else []))
-data = rooms.dataset()
-rooms.descriptor.fit(np.concatenate([take.masks for take in data.train]))
+fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
+data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+descriptor = ShapeContextHistogram().fit(np.concatenate([take.masks for take in data.train]))
 train, validation, ((z, x),) = (
-    [(rooms.descriptor.transform(take.masks), take.x) for take in takes]
+    [(descriptor.transform(take.masks), take.x) for take in takes]
     for takes in (data.train, data.validation, data.test)
 )
 test, space = data.test[0], data.space
 
 # %% [markdown]
-# **2. A mixture of regressors,** each for silhouettes and poses of one kind; how many, and how
-# sure they are, is chosen on the validation take.
+# **2. A mixture of regressors,** each for silhouettes and poses of one kind. Their number, and how
+# far their probabilities are trusted, are chosen on the validation take.
 
 # %%
-from silpose.regression import choose_mixture
+from silpose.regression import Candidates, MixtureOfRegressors, choose_mixture
 
-mixture, _ = choose_mixture(
-    train, validation, rooms.candidates.mixture, space.units, space.distance
+grid = {"clusters": [30]} if fast else {"clusters": [30, 60, 120], "temperature": [4, 8, 16]}
+grid["calibration_exponent"] = [0.7, 1, 1.4, 2, 2.8]
+chosen = choose_mixture(
+    Candidates(MixtureOfRegressors(), grid),
+    train,
+    validation,
+    units=space.units,
+    distance=space.distance,
 )
+mixture = chosen.mixture
 weights, modes, _ = mixture.predict_modes(z, 8)
 print(f"{mixture.components_} regressors; the first frame's modes: {np.round(weights[0], 2)}")
 
 # %% [markdown]
-# **3. Frames with several explanations:** those whose second mode is likely, and far from the
-# first. Drawn as the camera sees them, left limbs orange and right ones blue.
+# **3. Ambiguous frames:** those whose second mode is likely, and far from the first. Poses are
+# drawn from the camera's point of view, left limbs orange and right ones blue.
 
 # %%
-doubtful = []
+ambiguous = []
 for frame in np.argsort(-weights[:, 1] * space.distance(modes[:, 0], modes[:, 1])):
-    if len(doubtful) < 4 and all(abs(frame - other) > 5 for other in doubtful):
-        doubtful.append(frame)
+    if len(ambiguous) < 4 and all(abs(frame - other) > 5 for other in ambiguous):
+        ambiguous.append(frame)
 colours = {"left": "tab:orange", "right": "tab:blue"}
-_, rows = plt.subplots(len(doubtful), 4, figsize=(10, 3 * len(doubtful)))
-for row, frame in zip(rows, doubtful, strict=True):
+_, rows = plt.subplots(len(ambiguous), 4, figsize=(10, 3 * len(ambiguous)))
+for row, frame in zip(rows, ambiguous, strict=True):
     row[0].imshow(test.masks[frame, 20:, 50:-50], cmap="gray_r")
     row[0].set_title(f"frame {frame}")
     drawn = space.joints([*modes[frame, :2], x[frame]])
@@ -78,8 +83,8 @@ for axes in rows.flat:
 plt.show()
 
 # %% [markdown]
-# **4. How probable are they,** over time? Two bands that are equally thick are two explanations;
-# what is missing to 1 is for anything else: nothing much like this silhouette trained.
+# **4. Probabilities over time.** Where two bands are equally thick, there are two explanations. The
+# remaining probability is that of other poses: it is high where training has no similar silhouette.
 
 # %%
 plt.figure(figsize=(12, 3))
@@ -91,22 +96,21 @@ plt.legend(loc="lower left", ncols=4)
 plt.show()
 
 # %% [markdown]
-# **5. The best of k.** If somebody told which of the first k modes is right: how far off would it
-# be?
+# **5. The best of k:** the error if it were known which of the first k modes is right.
 
 # %%
 from silpose.regression import Basis, RidgeRegressor
 
-ridge = RidgeRegressor(Basis(width=2, hellinger=True), damping=0.1)
+ridge = RidgeRegressor(Basis(width=2), damping=0.1)
 ridge.fit(*(np.concatenate(part) for part in zip(*train, strict=True)))
-off = space.distance(x[:, None], modes)
+errors = space.distance(x[:, None], modes)
 ks = np.arange(1, 9)
-plt.plot(ks, [off[:, :k].min(axis=1).mean() for k in ks], "o-", label="mixture: best of k modes")
+plt.plot(ks, [errors[:, :k].min(axis=1).mean() for k in ks], "o-", label="mixture: best of k modes")
 plt.axhline(
     space.distance(x, ridge.predict(z)).mean(),
     color="gray",
     ls="--",
-    label="kernel ridge: one answer, a compromise",
+    label="kernel ridge: one estimate, a compromise",
 )
 plt.xlabel("k")
 plt.ylabel("mean angular error, degrees")
@@ -115,26 +119,28 @@ plt.legend()
 plt.show()
 
 # %% [markdown]
-# **6. Which one is it?** One silhouette does not say. Those before it do: a tracker carries several
-# hypotheses on, and what comes next decides between them.
+# **6. Tracking.** A single silhouette does not determine which mode is right, but a sequence does:
+# a particle filter propagates several hypotheses, and later frames decide between them.
 
 # %%
 from silpose.tracking import MultipleHypothesisTracker
 
-tracks = MultipleHypothesisTracker(mixture).fit(train).track(z)
-tracked = space.distance(x, tracks.x)
-print(f"most probable mode {off[:, 0].mean():.2f}° off, tracked {tracked.mean():.2f}°")
+track = MultipleHypothesisTracker(mixture).fit(train).track(z)
+tracked = space.distance(x, track.x)
+print(f"error of the most probable mode {errors[:, 0].mean():.2f}°, tracked {tracked.mean():.2f}°")
 
 # %% [markdown]
-# **7. Watch it.** Left what each silhouette says by itself, right what the tracker makes of it; the
-# brighter a skeleton, the more probable. The true one is blue.
+# **7. Watch it.** Left the modes of each silhouette by itself, right the tracker's; the brighter a
+# skeleton, the more probable it is. The true pose is blue.
 
 # %%
 from pathlib import Path
 
-from silpose.recording import Header, Truth, record_hypotheses, show
+import silpose
+from silpose.recording import GroundTruth, Header, record_hypotheses
 
-truth = Truth.of(test, rooms.camera, {"mixture_top1": off[:, 0], "hypotheses": tracked}, space)
+both = {"mixture_top1": errors[:, 0], "hypotheses": tracked}
+truth = GroundTruth.of(test, test.camera, both, space)
 header = Header("hypotheses", "notebook", Path("ambiguity.rrd"), f"test of {test.performer}")
-record_hypotheses(header, test, truth, (weights[:, :4], modes[:, :4]), tracks, space)
-show(header.file)
+record_hypotheses(header, test, truth, (weights[:, :4], modes[:, :4]), track, space)
+silpose.show(header.file)

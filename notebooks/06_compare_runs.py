@@ -11,7 +11,7 @@
 # ---
 
 # %% [markdown]
-# # Run it several times, compare
+# # Compare runs
 #
 # How large must the codebook be? A sweep as a table, as a plot, and two of its runs side by side.
 #
@@ -22,13 +22,12 @@
 #     regression.basis.width=2 recording.root=sweep
 # ```
 #
-# and here a loop. Each run has a folder of its own below `sweep/`.
+# and here a loop. Each run has its own folder in `sweep/`.
 
 # %%
 import os
 
-from silpose.app.config import load
-from silpose.app.main import run_experiment
+import silpose
 
 fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
 common = [*fast, "methods=[ridge]", "show=ridge", "regression.basis.width=2"]
@@ -36,20 +35,18 @@ sizes = [5, 100] if fast else [5, 10, 25, 100]
 runs = []
 for size in sizes:
     own = [f"descriptor.codebook_size={size}", "recording.root=sweep"]
-    runs.append(run_experiment(load([*common, *own, f"recording.name=centres_{size}"])))
+    runs.append(silpose.run_experiment([*common, *own, f"recording.name=centres_{size}"]))
 
 # %% [markdown]
-# **2. The sweep as a table:** a row per run, with the settings in which the runs differ, and every
-# method's values. `complete` is false for a run that was cut off.
+# **2. The sweep as a table:** a row for each run, with the settings in which runs differ, and the
+# values of all methods. `complete` is false for a run that was interrupted.
 
 # %%
-import silpose
-
 table = silpose.runs_table("sweep").sort_values("descriptor.codebook_size")
 table[["descriptor.codebook_size", "ridge.mean_angular_error_deg", "ridge.mpjpe_mm"]].round(2)
 
 # %% [markdown]
-# **3. The error against what was swept,** and what does not learn at all beside it.
+# **3. The error against the swept setting,** beside two baselines.
 
 # %%
 import matplotlib.pyplot as plt
@@ -76,7 +73,7 @@ for axes, run in zip(rows, (small, large), strict=True):
     axes.plot(tracks.loc["true", "left_knee_x"], "k", lw=2, label="true")
     axes.plot(tracks.loc["estimated", "left_knee_x"], color="tab:orange", label="estimated")
     axes.set_ylabel("left knee, degrees")
-    axes.set_title(f"{run.folder.name}: {tracks.loc['estimated', 'error'].mean():.2f}° off")
+    axes.set_title(f"{run.folder.name}: error {tracks.loc['estimated', 'error'].mean():.2f}°")
 axes.legend(loc="upper right")
 axes.set_xlabel("frame")
 plt.show()
@@ -88,7 +85,7 @@ plt.show()
 # %%
 from pathlib import Path
 
-from silpose.recording import compare, show
+from silpose.recording import compare
 
 compare([small, large], Path("comparison.rrd"))
-show("comparison.rrd")
+silpose.show("comparison.rrd")

@@ -13,11 +13,11 @@
 # %% [markdown]
 # # Your own motion, your own masks
 #
-# From a folder of BVH files and a video of masks to poses. Replace two paths, and it is yours.
+# From a folder of BVH files and a video of masks to poses. Replace two paths by your own.
 #
 # **1. The paths.** `motion` is a folder of motion capture, `masks` a video of masks or a folder of
-# mask images. If they do not exist, this cell makes an example: nine walkers as BVH, and a
-# stranger, who does not train, as a video. Delete the second half when the paths are your own.
+# mask images. If they do not exist, this cell makes an example: nine walkers as BVH, and the tenth,
+# who is unseen in training, as a video. Delete the second half if the paths are your own.
 
 # %%
 import os
@@ -25,7 +25,7 @@ from pathlib import Path
 
 import cv2
 
-from silpose.dataset import photograph
+from silpose.dataset import render_take
 from silpose.motion import WalkerTakes, save_bvh
 from silpose.silhouette import Body, Camera
 
@@ -34,23 +34,23 @@ motion, masks = Path("my_motion"), Path("my_masks.mp4")
 if not motion.exists():
     motion.mkdir()
     seconds = 4 if os.environ.get("SILPOSE_FAST") else 17
-    *walks, stranger = WalkerTakes(seconds=seconds, test_seconds=seconds).takes()
+    *walks, unseen = WalkerTakes(seconds=seconds, test_seconds=seconds).takes()
     for walk in walks:
         save_bvh(motion / f"{walk.name}.bvh", walk)
     codec = cv2.VideoWriter.fourcc(*"mp4v")
     video = cv2.VideoWriter(str(masks), codec, 15, (256, 256), isColor=False)
-    for mask in photograph(stranger, Body(), Camera()).masks:
+    for mask in render_take(unseen, Body(), Camera()).masks:
         video.write(255 * mask)
     video.release()
 
 # %% [markdown]
-# **2. Is the motion read as it should be?** Every file is put on the skeleton that is used here.
-# Look for people who stand upright, and walk where they should.
+# **2. Is the motion read correctly?** Every file is put on the project's skeleton. People must
+# stand upright, and walk where they did.
 #
 # *What may go wrong:* joints are found by name; a file whose joints have other names is left out
-# with a warning that says which joint is missing. Name it: `joints={"left_elbow": ["MyElbowL"]}`
-# here, and `'motion.joints={left_elbow: [MyElbowL]}'` in 3. Files of any frame rate are brought to
-# 15 frames a second; +Y is up.
+# with a warning that names the missing joint. Add its name by `joints={"left_elbow": ["MyElbowL"]}`
+# here, and by `'motion.joints={left_elbow: [MyElbowL]}'` in 3. Files of any frame rate are
+# resampled to 15 frames per second; +Y is up.
 
 # %%
 import matplotlib.pyplot as plt
@@ -67,51 +67,50 @@ for k, take in enumerate(takes):
         front.plot(*(joints[list(bone), :2] + [k, 0]).T, color=f"C{k}", lw=2)
     front.text(k, -1.2, take.name, rotation=60, ha="right", va="top", fontsize=8)
 above.set(aspect="equal", title="from above, metres")
-above.invert_yaxis()  # z points to the camera
-front.set(aspect="equal", title="the first frame of each")
+above.invert_yaxis()  # z points down, to the camera
+front.set(aspect="equal", title="first frame of each file")
 front.axis("off")
 plt.show()
 
 # %% [markdown]
-# **3. Train.** The last file tests and the one before it validates, unless you name others
-# (`'dataset.test=[…]'`). Training should see people as your camera does:
+# **3. Train.** The last file is the test and the one before it the validation, unless you choose
+# others (`'dataset.test=[…]'`). Cameras of training should be like yours:
 # `silhouette.camera.elevation=5` degrees, `silhouette.camera.distance=4.5` metres, or many cameras
 # and bodies by `silhouette/scenes=wide`.
 
 # %%
-from silpose.app.config import load
-from silpose.app.main import run_experiment
+import silpose
 
 own = ["motion=bvh", f"motion.root={motion}", "methods=[rvm]"]
 quick = ["regression.basis.width=2", "regression.rvm.nu=8"]  # without these, validation chooses
-run = run_experiment(load([*own, *quick]))
+run = silpose.run_experiment([*own, *quick])
 errors = {method: values["mean_angular_error_deg"] for method, values in run.metrics.items()}
-print(
-    f"on an unseen file {errors['rvm']:.1f}° off; always the mean pose: {errors['mean_pose']:.1f}°"
-)
+print(f"error on the test file {errors['rvm']:.1f}°; of the mean pose {errors['mean_pose']:.1f}°")
 
 # %% [markdown]
-# **4. Are the masks as they should be?** One person, white on black, whole, of any size.
+# **4. Are the masks correct?** One whole person, white on black, of any size.
 #
-# *What may go wrong:* black on white (invert them), grey edges (they are cut at half of the
+# *What may go wrong:* black on white (invert them), grey edges (the threshold is half of the
 # brightest value), limbs out of the frame, a floor or a shadow that is white as well. silpose does
-# not cut people out of pictures: any segmentation will do, or, before a camera that stands still,
+# not segment images: use any segmentation or, with a camera that stands still,
 # `cv2.createBackgroundSubtractorMOG2()`.
 
 # %%
 from silpose.silhouette import read_masks
 
-seen = read_masks(masks, blank="nan")
-print(f"{len(seen)} masks of {seen[0].shape} pixels, white: {seen[0].mean():.0%} of the first")
+images = read_masks(masks)
+print(
+    f"{len(images)} masks of {images[0].shape} pixels, {images[0].mean():.0%} of the first is white"
+)
 _, row = plt.subplots(1, 8, figsize=(12, 2))
-for axes, mask in zip(row, seen[:: max(1, len(seen) // 8)], strict=False):
+for axes, mask in zip(row, images[:: max(1, len(images) // 8)], strict=False):
     axes.imshow(mask, cmap="gray")
     axes.axis("off")
 plt.show()
 
 # %% [markdown]
-# **5. Poses,** as numbers; `blank="nan"` gives a row of NaN where nobody is seen. A heading norm
-# far below 1 says that the silhouette could be of several poses, or is unlike all that trained.
+# **5. Poses,** as numbers; `blank="nan"` gives a row of NaN where a mask is blank. A heading norm
+# far below 1 means that the silhouette is ambiguous, or unlike all silhouettes of training.
 
 # %%
 poses = run.model.predict(masks, blank="nan")
@@ -137,12 +136,10 @@ poses.save_bvh("my_poses.bvh", frames_per_second=15)
 #     model=recordings/single_image/001
 # ```
 #
-# A model of `experiment=tracking` would follow the person from frame to frame; it wants masks at
-# the frame rate that it was trained at: say yours by `silhouette.frames_per_second=15`.
+# A model of `experiment=tracking` also tracks the person from frame to frame; it needs masks at the
+# frame rate of its training: yours is set by `silhouette.frames_per_second=15`.
 
 # %%
-from silpose.recording import show
-
 predict = ["experiment=predict", "silhouette=masks", "silhouette.blank=nan"]
-watched = run_experiment(load([*predict, f"silhouette.source={masks}", f"model={run.folder}"]))
-show(watched.recording)
+predicted = silpose.run_experiment([*predict, f"silhouette.source={masks}", f"model={run.folder}"])
+silpose.show(predicted.recording)

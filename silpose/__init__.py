@@ -8,34 +8,37 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from silpose.recording.runs.finished_run import load_run, runs_table
+from silpose.core.lazy_exports import lazy_exports
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+    from silpose.app.run import run_experiment
+    from silpose.core.errors import InputError
+    from silpose.model import PoseModel, load
+    from silpose.recording import load_poses, load_run, runs_table, show
 
-    from silpose.model.pose_model import PoseModel
+__getattr__ = lazy_exports(
+    __name__,
+    {
+        "app.run": ("run_experiment",),
+        "core.errors": ("InputError",),
+        "model": ("PoseModel", "load"),
+        "recording": ("load_poses", "load_run", "runs_table", "show"),
+    },
+)
+
+__all__ = [
+    "InputError",
+    "PoseModel",
+    "load",
+    "load_poses",
+    "load_run",
+    "run_experiment",
+    "runs_table",
+    "show",
+]
 
 
-def load(path: str | Path) -> PoseModel:
-    """Read a saved model: an ``.npz``, or the folder of the run that holds it."""
-    from silpose.model.pose_model import PoseModel
-
-    return PoseModel.load(path)
-
-
-def load_poses(path: str | Path) -> dict[str, NDArray[np.float64]]:
-    """Read pose vectors (F, D) back from a recording: an ``.rrd``, or the folder of its run.
-
-    By name: ``true`` where the truth is known; ``estimated``, or each method that was drawn.
-    """
-    from silpose.recording import read_poses
-
-    path = Path(path)
-    return read_poses(path / "run.rrd" if path.is_dir() else path)
-
-
-__all__ = ["load", "load_poses", "load_run", "runs_table"]
+def __dir__() -> list[str]:
+    return sorted(__all__)

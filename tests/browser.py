@@ -1,4 +1,4 @@
-"""A browser without a screen, looked at until it shows what is waited for."""
+"""A headless browser for tests: screenshots, scripts, and waiting for a condition."""
 
 import base64
 import json
@@ -43,31 +43,31 @@ def chromium():
 
 @contextmanager
 def browsing(address, folder):
-    """Open a page; give a function that takes its picture, (H, W, 3) in BGR."""
+    """Open a page; yield a function that takes a screenshot, shape (H, W, 3) in BGR."""
     with opened(address, folder) as call:
         yield lambda: picture(call)
 
 
 def picture(call):
-    """Take the picture of an opened page, (H, W, 3) in BGR."""
+    """Take a screenshot of an open page, shape (H, W, 3) in BGR."""
     png = np.frombuffer(base64.b64decode(call("Page.captureScreenshot")["data"]), np.uint8)
     return cv2.imdecode(png, cv2.IMREAD_COLOR)
 
 
 def evaluate(call, script):
-    """Give the value of a script in an opened page, None if it fails."""
+    """Value of a script in an open page, None if it fails."""
     return call("Runtime.evaluate", expression=script, returnByValue=True)["result"].get("value")
 
 
 @contextmanager
 def opened(address, folder):
-    """Open a page; give a function that calls the browser's methods (DevTools protocol)."""
+    """Open a page; yield a function that calls the browser's methods (DevTools protocol)."""
     command = [chromium(), *FLAGS, f"--user-data-dir={folder / 'profile'}", address]
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     process = subprocess.Popen(command, **quiet)
     try:
-        told = folder / "profile" / "DevToolsActivePort"
-        port = wait_for(lambda: told.exists() and told.read_text().split()[0])
+        ports = folder / "profile" / "DevToolsActivePort"
+        port = wait_for(lambda: ports.exists() and ports.read_text().split()[0])
         page = wait_for(lambda: _page(port))
         tab = websocket.create_connection(page, suppress_origin=True, timeout=60)
 
@@ -91,15 +91,15 @@ def _page(port):
 
 
 def listening(port):
-    """Tell whether somebody on this machine listens."""
+    """Whether a process on this machine listens on a port."""
     with socket.socket() as probe:
         return probe.connect_ex(("127.0.0.1", port)) == 0
 
 
-def wait_for(what, seconds=90):
-    """Ask again and again until the answer is yes; give it."""
+def wait_for(condition, seconds=90):
+    """Call a function until its value is true, and return that value."""
     deadline = time.monotonic() + seconds
-    while not (answer := what()):
-        assert time.monotonic() < deadline, "waited in vain"
+    while not (value := condition()):
+        assert time.monotonic() < deadline, f"still false after {seconds} seconds"
         time.sleep(0.3)
-    return answer
+    return value

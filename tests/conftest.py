@@ -7,7 +7,8 @@ import cv2
 import pytest
 from synthetic import motion
 
-from silpose.dataset import photograph
+import silpose
+from silpose.dataset import render_take
 from silpose.silhouette import Body, Camera
 
 os.environ.setdefault("RERUN_STRICT", "1")  # a wrong call is an error, not a warning
@@ -28,7 +29,7 @@ def camera():
 @pytest.fixture(scope="session")
 def sequence(body, camera):
     """40 frames of a small person, masks 96 x 96."""
-    return photograph(motion("swinging", 40), body, camera)
+    return render_take(motion("swinging", 40), body, camera)
 
 
 FAST = (
@@ -53,13 +54,8 @@ def fast():
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory):
     """A finished run of the whole experiment, a few seconds of motion in small images."""
-    from silpose.app.config import load
-    from silpose.app.main import run_experiment
-    from silpose.recording.runs.finished_run import load_run
-
     root = tmp_path_factory.mktemp("recordings")
-    run_experiment(load([*FAST, f"recording.root={root}", "recording.name=small"]))
-    return load_run(root / "single_image" / "small")
+    return silpose.run_experiment([*FAST, f"recording.root={root}", "recording.name=small"])
 
 
 @pytest.fixture(scope="session")
@@ -84,7 +80,7 @@ def shared_mocap():
 
 @pytest.fixture
 def read_only(tmp_path, monkeypatch):
-    """A folder that nobody can write to, be it the superuser."""
+    """A folder that nobody can write to, not even the superuser."""
     folder = tmp_path / "read_only"
     folder.mkdir()
 

@@ -1,17 +1,13 @@
-"""What a run says in the terminal when it is done."""
+"""What the terminal shows when a run is finished."""
 
 from __future__ import annotations
-
-import os
-import shutil
-import sys
-from pathlib import Path
 
 from rich.console import Console
 from rich.table import Table
 
-from silpose.evaluation.headlines import headlines
-from silpose.recording.runs.finished_run import FinishedRun
+from silpose.app.paths import rerun_command, shorten_path
+from silpose.evaluation import headlines
+from silpose.recording import FinishedRun
 
 
 def summarise(run: FinishedRun) -> None:
@@ -29,7 +25,7 @@ def summarise(run: FinishedRun) -> None:
 
 def results(run: FinishedRun) -> Table:
     """Lay the headlines out, a row per method."""
-    table = Table(title=f"{run.dataset}: errors on unseen sequences", title_justify="left")
+    table = Table(title=f"{run.dataset}: errors on unseen takes", title_justify="left")
     titles, rows = headlines(run.metrics)
     for title in titles:
         name = title == titles[0]  # whole, even if titles have to take more lines
@@ -37,18 +33,3 @@ def results(run: FinishedRun) -> Table:
     for row in rows:
         table.add_row(*row)
     return table
-
-
-def rerun_command() -> str:
-    """Name the viewer so that it can be typed here: it may live in an environment of its own."""
-    beside = Path(sys.executable).with_name("rerun")
-    if shutil.which("rerun") or not beside.exists():
-        return "rerun"
-    return shorten_path(beside)
-
-
-def shorten_path(path: Path) -> str:
-    """Shorten a path that lies below the working folder."""
-    full = os.path.abspath(path)  # not resolved: a virtual environment's links are to stay
-    below = os.path.relpath(full)
-    return full if below.startswith("..") else below

@@ -1,1 +1,19 @@
-"""TODO."""
+"""What all packages build on, and which itself knows none of them.
+
+The skeleton, the meaning of a pose vector, and tools for errors, files, parameters, parallel work,
+progress, serialisation and timing. Its modules are imported by name.
+"""
+
+__all__ = [
+    "atomic_files",
+    "errors",
+    "lazy_exports",
+    "parallel",
+    "parameters",
+    "pose_space",
+    "progress",
+    "serialisation",
+    "skeleton",
+    "stages",
+    "types",
+]

@@ -1,4 +1,4 @@
-"""Files that have their name only once they are whole."""
+"""Files that get their name only once they are complete."""
 
 from __future__ import annotations
 
@@ -10,23 +10,39 @@ from silpose.core.errors import InputError
 
 
 def partial(path: Path) -> Path:
-    """Where a file is written until it is whole: beside it, hidden, with the same ending."""
+    """Path of a file while it is being written: beside it, hidden, with the same ending."""
     return path.with_name(f".{path.stem}.partial{path.suffix}")
 
 
 @contextmanager
 def writing(path: Path) -> Iterator[Path]:
-    """Give a path to write to; the file gets its name at the end, and nothing if that fails."""
-    aside = partial(path)
+    """Write a file under a temporary name, and rename it at the end.
+
+    Parameters
+    ----------
+    path : Path
+        What was there before stays as it is if writing fails.
+
+    Yields
+    ------
+    temporary : Path
+        Where to write to.
+
+    Raises
+    ------
+    InputError
+        If nothing can be written there.
+    """
+    temporary = partial(path)
     try:
-        aside.touch()
+        temporary.touch()
     except OSError as error:
         raise InputError(
             f"cannot write '{path}' ({error.strerror}): choose another place"
         ) from error
     try:
-        yield aside
+        yield temporary
     except BaseException:
-        aside.unlink(missing_ok=True)
+        temporary.unlink(missing_ok=True)
         raise
-    aside.replace(path)
+    temporary.replace(path)

@@ -1,5 +1,5 @@
-"""The one exception whose message is meant for the person at the keyboard."""
+"""The exception whose message is meant for the user."""
 
 
 class InputError(ValueError):
-    """Something the user gave cannot be used; the message names the culprit and the remedy."""
+    """An input that cannot be used; the message names the culprit and a remedy."""

@@ -1,15 +1,18 @@
-"""One map over independent pieces of work: in this process, or in several of this machine's.
+"""One map over independent pieces of work: in this process, or in several workers.
 
-Whatever may be done side by side goes through `parallel_map`, so that another engine needs to be
-known here only.
+All parallel work is done here, so that another engine has to be known in one place only.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from os import cpu_count
 from typing import Literal, TypeVar
 
+import numpy as np
 from joblib import Parallel, delayed
+from joblib.parallel import get_active_backend
 from threadpoolctl import threadpool_limits
 
 from silpose.core.progress import bar
@@ -27,33 +30,60 @@ def parallel_map(
 ) -> list[Outcome]:
     """Apply a function to every item.
 
-    How many items are worked on at the same time says `joblib.parallel_config`, as in
-    scikit-learn: outside of it, one after the other in this process. Each worker has one thread
-    for linear algebra, which is faster than several for matrices of a few thousand rows, and does
-    not slow down the other workers.
+    `joblib.parallel_config` sets the number of workers, as in scikit-learn; without it, items are
+    processed one after the other in this process. Each worker has one thread for linear algebra,
+    which is faster than several for matrices of a few thousand rows, and does not slow down the
+    other workers.
 
     Parameters
     ----------
     function : callable
     items : sequence
     description : str, default=""
-        Beside the progress bar; without one there is none.
+        Shown beside the progress bar; if empty there is no bar.
     prefer : {"processes", "threads"}, default="processes"
-        Threads share memory, and are as fast where nearly all the time is NumPy's; processes
-        where much of it is Python's own.
+        Threads share memory, and are as fast where nearly all the time is spent in NumPy;
+        processes are faster where much of it is spent in Python.
 
     Returns
     -------
     outcomes : list
         In the order of the items.
     """
-    workers = Parallel(prefer=prefer, return_as="generator")
+    _, n_jobs = get_active_backend()  # which a preference for threads alone would ignore
+    workers = Parallel(n_jobs, prefer=prefer, return_as="generator")
     outcomes = []
     with threadpool_limits(1), bar(description, len(items)) as advance:
         for outcome in workers(delayed(_on_one_thread)(function, item) for item in items):
             outcomes.append(outcome)
             advance(1)
     return outcomes
+
+
+def thread_map(
+    function: Callable[[int], Outcome], count: int, n_jobs: int | None = None
+) -> list[Outcome]:
+    """Apply a function that releases Python's lock to 0, 1, … count-1, in blocks on threads.
+
+    Parameters
+    ----------
+    function : callable
+    count : int
+    n_jobs : int or None, default=None
+        Number of threads; None is one per processor.
+
+    Returns
+    -------
+    outcomes : list
+        In order.
+    """
+    threads = min(n_jobs or cpu_count() or 1, count)
+    if threads <= 1:
+        return [function(index) for index in range(count)]
+    blocks = np.array_split(np.arange(count), min(8 * threads, count))
+    with ThreadPoolExecutor(threads) as pool:
+        done = pool.map(lambda block: [function(int(index)) for index in block], blocks)
+        return [outcome for block in done for outcome in block]
 
 
 def _on_one_thread(function: Callable[[Item], Outcome], item: Item) -> Outcome:

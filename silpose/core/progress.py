@@ -1,4 +1,4 @@
-"""A progress bar for whatever takes longer than two seconds, in a terminal or a notebook."""
+"""A progress bar, in a terminal or a notebook, for what takes longer than two seconds."""
 
 from __future__ import annotations
 
@@ -13,29 +13,34 @@ _PATIENCE = 2.0  # seconds without a bar
 
 
 @contextmanager
-def bar(what: str, total: int) -> Iterator[Callable[[int], None]]:
-    """Give a function to call with the number of items done; the bar goes when all is done.
+def bar(description: str, total: int) -> Iterator[Callable[[int], None]]:
+    """Show how much of a piece of work is done; the bar disappears at its end.
 
     Parameters
     ----------
-    what : str
-        Shown before the bar; if empty there is none.
+    description : str
+        Beside the bar; if empty there is no bar.
     total : int
         Number of items.
+
+    Yields
+    ------
+    advance : callable
+        To be called with the number of items that have been done since the last call.
     """
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
     started = monotonic()
     console = Console(stderr=True)
-    unseen = not what or not (console.is_terminal or console.is_jupyter)
+    hidden = not description or not (console.is_terminal or console.is_jupyter)
     progress = Progress(
-        *columns, TimeRemainingColumn(), console=console, transient=True, disable=unseen
+        *columns, TimeRemainingColumn(), console=console, transient=True, disable=hidden
     )
-    task = progress.add_task(what, total=total)
+    task = progress.add_task(description, total=total)
 
     def advance(items: int = 1) -> None:
         progress.update(task, advance=items)
         if monotonic() - started > _PATIENCE:
-            progress.start()  # only now: in a notebook even a hidden bar takes up room
+            progress.start()  # not earlier: in a notebook even a hidden bar leaves a blank line
 
     try:
         yield advance

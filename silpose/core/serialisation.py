@@ -1,4 +1,4 @@
-"""Estimators as arrays, numbers and words, which is what a model's file holds."""
+"""Estimators as plain arrays, numbers and strings, which is what a model's file holds."""
 
 from __future__ import annotations
 
@@ -9,41 +9,67 @@ import numpy as np
 from sklearn.base import BaseEstimator
 
 State = dict[str, Any]
-Kind = TypeVar("Kind", bound=BaseEstimator)
+"""Arrays, numbers and strings by name; an ``.npz`` holds no None, so neither does this."""
+
+Estimator = TypeVar("Estimator", bound=BaseEstimator)
 
 
-def arrays_of(estimator: BaseEstimator, learnt: Sequence[str]) -> State:
-    """Give an estimator's parameters, but for None and other estimators, and what it learnt."""
+def arrays_of(estimator: BaseEstimator, fitted: Sequence[str]) -> State:
+    """Collect an estimator's parameters and fitted attributes.
+
+    Parameters
+    ----------
+    estimator : estimator
+    fitted : sequence of str
+        Names of its fitted attributes.
+
+    Returns
+    -------
+    state : dict
+        Without parameters that are None or estimators themselves.
+    """
     parameters = {
         name: value
         for name, value in estimator.get_params(deep=False).items()
         if value is not None and not isinstance(value, BaseEstimator)
     }
-    return parameters | {name: getattr(estimator, name) for name in learnt}
+    return parameters | {name: getattr(estimator, name) for name in fitted}
 
 
-def estimator_from(kind: type[Kind], state: State, learnt: Sequence[str]) -> Kind:
-    """Make the estimator whose `arrays_of` this was."""
+def estimator_from(kind: type[Estimator], state: State, fitted: Sequence[str]) -> Estimator:
+    """Restore an estimator; the inverse of `arrays_of`.
+
+    Parameters
+    ----------
+    kind : type
+    state : dict
+        Parameters that are missing become None.
+    fitted : sequence of str
+
+    Returns
+    -------
+    estimator : estimator
+    """
     values = unwrapped(state)
     names = kind().get_params(deep=False)
     estimator = kind(**{name: values.get(name) for name in names})
-    for name in learnt:
+    for name in fitted:
         setattr(estimator, name, values[name])
     return estimator
 
 
 def unwrapped(state: State) -> State:
-    """Give arrays as they are, numbers and words out of theirs."""
+    """Unwrap 0-d arrays to scalars and strings, and make arrays of everything else."""
     arrays = {name: np.asarray(value) for name, value in state.items()}
     return {name: array if array.ndim else array.item() for name, array in arrays.items()}
 
 
 def prefixed(prefix: str, state: State) -> State:
-    """Put a part's state below its name."""
+    """Name a part's state ``prefix.name``."""
     return {f"{prefix}.{name}": value for name, value in state.items()}
 
 
 def without_prefix(prefix: str, state: State) -> State:
-    """Take the state of a part out."""
+    """Extract the state of a part; the inverse of `prefixed`."""
     start = f"{prefix}."
     return {n.removeprefix(start): v for n, v in state.items() if n.startswith(start)}

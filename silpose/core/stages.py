@@ -18,7 +18,13 @@ _running: ContextVar[str | None] = ContextVar("running", default=None)
 
 @contextmanager
 def timing() -> Iterator[dict[str, float]]:
-    """Collect the seconds of all stages inside, by name."""
+    """Collect the seconds of all stages that run inside.
+
+    Yields
+    ------
+    seconds : dict of str to float
+        By stage, filled as they end.
+    """
     seconds: dict[str, float] = {}
     token = _seconds.set(seconds)
     try:

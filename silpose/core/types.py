@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Array32 = NDArray[np.float32]
 Indices = NDArray[np.intp]
 Mask = NDArray[np.uint8]
 """Shape (H, W), of 0 and 1."""
@@ -18,7 +20,7 @@ Examples = Sequence[tuple[Array, Array]]
 Settings = dict[str, object]
 """Values by the name of a parameter."""
 
-Row = dict[str, object]
+Row = dict[str, Any]
 """A line of ``results.csv``."""
 
 Metrics = dict[str, dict[str, float]]

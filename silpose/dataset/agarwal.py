@@ -9,49 +9,71 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.io import loadmat
 from scipy.io.matlab import MatReadError
 from scipy.spatial.transform import Rotation
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import AUTHORS_JOINTS
-from silpose.dataset.take import Dataset, Take
+from silpose.core.stages import timed
+from silpose.core.types import Array
+from silpose.dataset.synthesis import Renderer
+from silpose.dataset.take import Dataset, DatasetSource, Take
 
-Array = NDArray[np.float64]
+LENGTHS = (100, 236, 69, 66, 483, 577, 238, 158)
+"""Frames of the training sequences, in the order of the file."""
 
-LENGTHS = (100, 236, 69, 66, 483, 577, 238, 158)  # of the training sequences, in file order
-FRAMES_PER_SECOND = 15.0  # nowhere stated; a walking cycle of 17 frames takes about 1.1 s
+FRAMES_PER_SECOND = 15.0
+"""Not documented with the data; a walking cycle of 17 frames takes about 1.1 s."""
 
 # The root's children at rest, in the authors' skeleton: left hip, right hip, chest (whose offset
 # is turned by the abdomen's fixed 20.556639 degrees).
 _CHILDREN = [13, 16, 2]
 _REST = np.array([[4.500466, -6.400484, -1.832696], [-4.500466, -6.400484, -1.832696], [0, 0, 0]])
 _REST[2] = Rotation.from_euler("x", 20.556639, degrees=True).apply([0, 5.018152, -1.882228])
-_FLIP = np.array([1, -1, -1])  # the file has y and z upside down
+_FLIP = np.array([1, -1, -1])  # y and z are upside down in the file
 
 
-class AgarwalFile:
-    """Reads the authors' file.
+class AgarwalFile(DatasetSource):
+    """The authors' own data, read from their file.
 
     Parameters
     ----------
-    path : path
-        Of the ``.mat`` file.
+    path : str or Path
+        The file ``ankurDataPoseSilhouette.mat``.
     """
+
+    name = "agarwal"
+    rendered = False
 
     def __init__(self, path: str | Path) -> None:
         self.path = path
 
-    def dataset(self) -> Dataset:
-        """Read all sequences; there are none for validation."""
+    @timed("masks")
+    def load(self, renderer: Renderer | None = None) -> Dataset:
+        """Read all sequences; there are none for validation.
+
+        Parameters
+        ----------
+        renderer : Renderer, optional
+            Ignored.
+
+        Returns
+        -------
+        dataset : Dataset
+
+        Raises
+        ------
+        InputError
+            If the file is missing or another one.
+        """
         y, z, y_test, z_test = self._arrays()
         ends = np.cumsum(LENGTHS)
         train = [
-            _sequence(f"train_{k + 1}", z[end - length : end], y[end - length : end])
+            _take(f"train_{k + 1}", z[end - length : end], y[end - length : end])
             for k, (length, end) in enumerate(zip(LENGTHS, ends, strict=True))
         ]
-        return Dataset("agarwal", AUTHORS_JOINTS, train, [], [_sequence("test", z_test, y_test)])
+        return Dataset(self.name, AUTHORS_JOINTS, train, [], [_take("test", z_test, y_test)])
 
     def _arrays(self) -> list[Array]:
         path = Path(self.path)
@@ -61,17 +83,20 @@ class AgarwalFile:
         try:
             content = loadmat(path, variable_names=list(shapes))
         except (ValueError, TypeError, NotImplementedError, MatReadError) as error:
-            raise InputError(f"'{path}' is no MATLAB file that can be read") from error
+            raise InputError(
+                f"'{path}' is no MATLAB file that can be read: give ankurDataPoseSilhouette.mat"
+            ) from error
         for name, shape in shapes.items():
             found = np.shape(content.get(name, ()))
             if found != shape:
                 raise InputError(
-                    f"'{path}' is not the authors' data: {name} has shape {found}, not {shape}"
+                    f"'{path}' is not the authors' data: {name} has shape {found}, not {shape}; "
+                    "give ankurDataPoseSilhouette.mat"
                 )
         return [np.asarray(content[name], dtype=float) for name in shapes]
 
 
-def _sequence(name: str, positions: Array, histograms: Array) -> Take:
+def _take(name: str, positions: Array, histograms: Array) -> Take:
     joints = positions.reshape(len(positions), -1, 3) * _FLIP
     joints -= joints[:, :1]
     theta = heading(joints)
@@ -82,10 +107,20 @@ def _sequence(name: str, positions: Array, histograms: Array) -> Take:
 
 
 def heading(joints: Array) -> Array:
-    """Heading of the root, radians, shape (F,), from ``joints (F, 21, 3)`` around the root.
+    """Compute the heading from joint positions.
 
-    The rigid fit of hips and chest to their rest is exact in these data; its rotation is
+    The rigid fit of hips and chest to their rest positions is exact in these data; its rotation is
     Rx · Rz · Ry(θ).
+
+    Parameters
+    ----------
+    joints : ndarray, shape (F, 21, 3)
+        Relative to the root.
+
+    Returns
+    -------
+    heading : ndarray, shape (F,)
+        Radians.
     """
     u, _, vt = np.linalg.svd(np.swapaxes(joints[:, _CHILDREN], 1, 2) @ _REST)
     u[:, :, 2] *= np.linalg.det(u @ vt)[:, None]

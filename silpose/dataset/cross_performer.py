@@ -1,30 +1,35 @@
-"""The split by performer: those who test are strangers to those who train."""
+"""The split by performer: the test is on unseen performers."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fnmatch import fnmatchcase
 
 from silpose.core.errors import InputError
-from silpose.dataset.same_performer import Split
+from silpose.dataset.splitter import Split, Splitter, matching
+from silpose.motion import Motion
 
 
-class CrossPerformer:
-    """Assign takes to training and test by who performs; settings are chosen without validation.
+class CrossPerformer(Splitter):
+    """Split by performer: those of the test are not in training.
 
-    Hyper-parameters are chosen by leaving one training performer out at a time.
+    There is no validation: settings are chosen by leaving one training performer out at a time.
+    Without ``silhouette.scenes.frames``, training has as many frames of every performer as the one
+    with the fewest has.
 
     Parameters
     ----------
-    test : list of str
-        Performers, or globs, that test; all others train.
+    test : sequence of str, default=("08", "16", "29")
+        Performers of the test, or globs; all others are of training.
     """
+
+    name = "cross_performer"
+    by_performer = True
 
     def __init__(self, test: Sequence[str] = ("08", "16", "29")) -> None:
         self.test = test
 
     def split(self, performers: Mapping[str, str]) -> Split:
-        """Assign every take.
+        """Assign every take to training or test.
 
         Parameters
         ----------
@@ -34,23 +39,37 @@ class CrossPerformer:
         Returns
         -------
         split : Split
+
+        Raises
+        ------
+        InputError
+            If a glob matches nothing, or fewer than two performers are left for training.
         """
         known = sorted(set(performers.values()))
         for glob in self.test:
-            if not any(fnmatchcase(performer, glob) for performer in known):
+            if not matching(known, [glob]):
                 raise InputError(
                     f"no performer matches '{glob}' in dataset.test; there are {', '.join(known)} "
-                    "(motion.performer says how they are told)"
+                    "(motion.performer finds them in the files' paths)"
                 )
-        strangers = [p for p in known if any(fnmatchcase(p, glob) for glob in self.test)]
-        if len(known) - len(strangers) < 2:
+        unseen = matching(known, self.test)
+        if len(known) - len(unseen) < 2:
             raise InputError(
-                f"fewer than two performers are left to train: of {', '.join(known)} "
-                f"{', '.join(strangers)} test; name fewer in dataset.test, or set motion.performer"
+                f"fewer than two performers are left to train on: of {', '.join(known)} "
+                f"{', '.join(unseen)} are of the test; name fewer in dataset.test, "
+                "or set motion.performer"
             )
         return Split(
-            train=[take for take, p in performers.items() if p not in strangers],
+            train=[take for take, performer in performers.items() if performer not in unseen],
             validation=[],
-            test=[take for take, p in performers.items() if p in strangers],
-            by_performer=True,
+            test=[take for take, performer in performers.items() if performer in unseen],
         )
+
+    def check(self, takes: Sequence[Motion]) -> None:
+        """Refuse synthetic motion, whose model was fitted to all performers."""
+        for take in takes:
+            if take.synthetic:
+                raise InputError(
+                    f"take '{take.name}' is of the statistical walker, which was fitted to all "
+                    "performers, so that none is unseen: add motion=bvh motion.root=FOLDER"
+                )

@@ -1,24 +1,24 @@
-"""Masks that are taken when they are asked for, so that any number of them fits into memory."""
+"""Masks that are rendered when they are asked for, for more of them than fit into memory."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
-from silpose.silhouette import Body, Camera, render
+from silpose.core.types import Array, Indices
+from silpose.silhouette import Body, Camera, Degrader, render
 
-Array = NDArray[np.float64]
 Masks = NDArray[np.uint8]
 
 
 @dataclass(frozen=True)
 class LazyMasks:
-    """The masks of a sequence, to be indexed and walked through as an array (F, H, W) is.
+    """The masks of a take; index or iterate over them as over an array (F, H, W).
 
     Attributes
     ----------
@@ -29,11 +29,11 @@ class LazyMasks:
     x : ndarray, shape (F, 55)
         Poses, the heading relative to the camera.
     offset : ndarray, shape (F, 3)
-        Of the root from what the camera looks at, metres.
-    spoil : callable, optional
-        From a mask and its frame to the mask as it is degraded.
-    frames : ndarray of int, shape (F,), or None
-        Which frames of the take these are; None is all of them.
+        Root relative to the camera's target, metres.
+    degrade : callable or None, default=None
+        From a mask and its frame to the degraded mask.
+    frames : ndarray of int, shape (F,), or None, default=None
+        Numbers of these frames in the take; None for all frames.
     """
 
     take: str
@@ -41,8 +41,8 @@ class LazyMasks:
     camera: Camera
     x: Array
     offset: Array
-    spoil: Callable[[Masks, int], Masks] | None = None
-    frames: NDArray[np.intp] | None = None
+    degrade: Degrader | None = None
+    frames: Indices | None = None
 
     def __len__(self) -> int:
         return len(self.x)
@@ -61,28 +61,17 @@ class LazyMasks:
                     f"frame {frame} of take '{self.take}' is out of the camera's sight: "
                     "set silhouette.camera.follow=true or a larger silhouette.camera.distance"
                 )
-            yield mask if self.spoil is None else self.spoil(mask, frame)
+            yield mask if self.degrade is None else self.degrade(mask, frame)
 
     def __array__(self, dtype: object = None, copy: object = None) -> Masks:
         return np.stack(list(self))
 
     def part(self, frames: slice) -> LazyMasks:
-        """Give the photographs of some frames, not taken yet."""
+        """Masks of some frames, not rendered yet."""
         return replace(
             self, x=self.x[frames], offset=self.offset[frames], frames=self._frames[frames]
         )
 
     @property
-    def _frames(self) -> NDArray[np.intp]:
+    def _frames(self) -> Indices:
         return np.arange(len(self.x)) if self.frames is None else self.frames
-
-    @property
-    def size(self) -> int:
-        """Bytes that all masks take."""
-        return len(self) * self.camera.height * self.camera.width
-
-
-def as_poses(angles: ArrayLike, heading: ArrayLike) -> Array:
-    """Pose vectors (F, 55) of angles (F, 54), with headings (F,) relative to the camera."""
-    angles = np.asarray(angles)
-    return ANGLES.from_angles(np.column_stack([np.asarray(heading), angles[:, 1:]]))

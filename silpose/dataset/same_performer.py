@@ -1,46 +1,34 @@
-"""The split by take: the same performers train and test, in different takes."""
+"""The split by take: the same performers are in training and test, in different takes."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
-from fnmatch import fnmatchcase
 
 from silpose.core.errors import InputError
+from silpose.dataset.splitter import Split, Splitter, matching
 
 
-@dataclass(frozen=True)
-class Split:
-    """Names of the takes that train, validate and test.
-
-    Attributes
-    ----------
-    train, validation, test : list of str
-    by_performer : bool
-        Whether no performer may be in two of them.
-    """
-
-    train: list[str]
-    validation: list[str]
-    test: list[str]
-    by_performer: bool = False
-
-
-class SamePerformer:
-    """Assign takes to training, validation and test by name.
+class SamePerformer(Splitter):
+    """Split by take: takes are assigned to training, validation and test by name.
 
     Parameters
     ----------
-    train, validation, test : list of str, or None
-        Names of takes, or globs. A take that no list names goes to training. Where
-        `validation` or `test` is None, the usual ones below are taken if there are such takes,
-        else one of the last takes.
-    usual_validation, usual_test : list of str
-        Globs of takes that customarily validate and test.
+    train : list of str or None, default=None
+        Names of takes, or globs. Takes that are in no list are of training, too.
+    validation, test : list of str or None, default=None
+        Names of takes, or globs. None chooses the usual takes below if there are any, else one of
+        the last takes.
+    usual_validation : sequence of str, default=("validation", "*spiral_walk_normal08")
+        Globs of takes that are customary for validation.
+    usual_test : sequence of str, default=("test", "*spiral_walk_fast12")
+        Globs of takes that are customary for testing.
     """
+
+    name = "same_performer"
 
     def __init__(
         self,
+        *,
         train: list[str] | None = None,
         validation: list[str] | None = None,
         test: list[str] | None = None,
@@ -53,22 +41,27 @@ class SamePerformer:
         self.usual_validation = usual_validation
         self.usual_test = usual_test
 
-    def split(self, takes: Collection[str]) -> Split:
-        """Assign every take.
+    def split(self, performers: Collection[str]) -> Split:
+        """Assign every take to training, validation or test.
 
         Parameters
         ----------
-        takes : collection of str
-            Names, in order.
+        performers : collection of str
+            Names of the takes, in order, such as the keys of a mapping to performers.
 
         Returns
         -------
         split : Split
+
+        Raises
+        ------
+        InputError
+            If a glob matches nothing, lists overlap, or a part would be empty.
         """
-        takes = list(takes)
+        takes = list(performers)
         if len(takes) < 3:
             raise InputError(
-                f"a split into training, validation and test needs 3 takes or more, "
+                f"a split into training, validation and test needs at least 3 takes, "
                 f"not {len(takes)}: {', '.join(takes)}"
             )
         train = [] if self.train is None else self._named(takes, "train", self.train)
@@ -97,17 +90,13 @@ class SamePerformer:
             return self._named(takes, part, globs)
         free = [t for t in takes if t not in taken]
         if not free:
-            raise InputError(f"no take is left for dataset.{part}")
-        return _matching(free, usual) or free[-1:]
+            raise InputError(f"no take is left for dataset.{part}: name fewer in the other lists")
+        return matching(free, usual) or free[-1:]
 
     def _named(self, takes: Sequence[str], part: str, globs: Sequence[str]) -> list[str]:
         for glob in globs:
-            if not _matching(takes, [glob]):
+            if not matching(takes, [glob]):
                 raise InputError(
                     f"no take matches '{glob}' in dataset.{part}; the takes are {', '.join(takes)}"
                 )
-        return _matching(takes, globs)
-
-
-def _matching(takes: Sequence[str], globs: Sequence[str]) -> list[str]:
-    return [t for t in takes if any(fnmatchcase(t, glob) for glob in globs)]
+        return matching(takes, globs)

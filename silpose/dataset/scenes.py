@@ -1,4 +1,4 @@
-"""Bodies and cameras for a dataset's sequences: any number of them, drawn from ranges."""
+"""Scenes of a dataset: for every take a body and a camera, drawn from ranges."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from silpose.core.errors import InputError
 from silpose.motion import Motion, mirrored
 from silpose.silhouette import Body, Camera
 
-_GOLDEN = 222.49223594996212  # degrees: multiples of it divide the circle ever more evenly
+_GOLDEN = 222.49223594996212  # degrees; its multiples divide the circle ever more evenly
 _CAMERA = ("elevation", "focal_length", "distance")
 RANGES = (*_CAMERA, "shape")
 
 
 @dataclass(frozen=True)
 class Scene:
-    """One sequence to be photographed.
+    """One take that is to be rendered.
 
     Attributes
     ----------
@@ -28,7 +28,7 @@ class Scene:
     body : Body
     camera : Camera
     name : str
-        Unique among the shots of a dataset; the motion's own name may not be.
+        Unique in a dataset, other than the motion's name.
     """
 
     motion: Motion
@@ -39,24 +39,34 @@ class Scene:
 
 @dataclass(frozen=True)
 class SceneSampler:
-    """Ranges, [lowest, highest], from which every sequence draws its body and its camera.
+    """Ranges, [lowest, highest], from which every take draws its body and its camera.
 
     Attributes
     ----------
-    frames : int or None
-        Of training in all, the same number from every performer, from takes that are photographed
-        as often as that needs, each time anew. None photographs every take once.
-    around : bool
-        Whether the first azimuths of the cameras are spread evenly over 360 degrees, and every
-        other camera orbits the other way.
-    mirror : bool
-        Whether every other sequence is seen in a mirror.
-    shape : list of 2 floats, or None
-        Length of the vector of ten shape coefficients, in standard deviations; its direction may
-        be any. None is the one body.
-    elevation, focal_length, distance : list of 2 floats, or None
-        Of the camera; None is the one camera's.
-    seed : int
+    frames : int or None, default=None
+        Number of frames in all, the same from every performer; takes are rendered repeatedly, in
+        scenes of their own, until it is reached. None renders every take once.
+    around : bool, default=False
+        Whether the cameras' first azimuths are spread evenly over 360 degrees, and every other
+        camera orbits the other way.
+    mirror : bool, default=False
+        Whether every other pair of takes is mirrored, left and right.
+    shape : [float, float] or None, default=None
+        Length of the vector of ten shape coefficients, in standard deviations; its direction is
+        drawn evenly. None is the one body.
+    elevation : [float, float] or None, default=None
+        Elevation of the camera, degrees; None is the one camera's, as for the other ranges.
+    focal_length : [float, float] or None, default=None
+        Focal length of the camera, image heights.
+    distance : [float, float] or None, default=None
+        Distance of the camera, metres.
+    seed : int, default=0
+        Seed of all draws.
+
+    Raises
+    ------
+    InputError
+        If a range is not one, or `frames` is not positive.
     """
 
     frames: int | None = None
@@ -70,47 +80,54 @@ class SceneSampler:
 
     def __post_init__(self) -> None:
         if self.frames is not None and self.frames < 1:
-            raise InputError(f"silhouette.scenes.frames must be 1 or more, not {self.frames}")
+            raise InputError(f"silhouette.scenes.frames must be at least 1, not {self.frames}")
         for name in RANGES:
             ends = getattr(self, name)
             if ends is not None and (len(ends) != 2 or not ends[0] <= ends[1]):
-                raise InputError(f"silhouette.scenes.{name} is [lowest, highest], not {ends}")
+                raise InputError(f"silhouette.scenes.{name} must be [lowest, highest], not {ends}")
 
     def plain(self) -> SceneSampler:
-        """Keep how cameras are spread, but of one body and one camera."""
+        """Sampler with the one body and the one camera, spread around as here."""
         return SceneSampler(around=self.around, seed=self.seed)
 
+    def balanced(self, motions: Sequence[Motion]) -> SceneSampler:
+        """Sampler of as many frames of every performer as the one with the fewest has."""
+        frames: dict[str, int] = {}
+        for motion in motions:
+            frames[motion.performer] = frames.get(motion.performer, 0) + len(motion)
+        return replace(self, frames=min(frames.values()) * len(frames))
+
     def range_of(self, name: str, body: Body, camera: Camera) -> tuple[float, float]:
-        """Give lowest and highest value of one of `RANGES`, also where it is not drawn."""
+        """Lowest and highest value of one of `RANGES`, also where it is not drawn."""
         if (ends := getattr(self, name)) is not None:
             return ends[0], ends[1]
         own = float(np.linalg.norm(body.shape or 0)) if name == "shape" else getattr(camera, name)
         return own, own
 
-    def shots(
+    def draw(
         self, motions: Sequence[Motion], body: Body, camera: Camera, stream: int = 0
     ) -> list[Scene]:
-        """Give every motion a body and a camera.
+        """Draw a body and a camera for every motion.
 
         Parameters
         ----------
         motions : sequence of Motion
         body : Body
         camera : Camera
-            What is not drawn is as in these.
-        stream : int
-            Another one gives other draws.
+            Body and camera where none are drawn.
+        stream : int, default=0
+            Selects another stream of random numbers.
 
         Returns
         -------
-        shots : list of Scene
+        scenes : list of Scene
         """
         rng = np.random.default_rng([self.seed, stream])
         parts = (
             stretches(motions, self.frames, rng) if self.frames else [(m, m.name) for m in motions]
         )
         first = rng.uniform(0, 360)
-        shots = []
+        scenes = []
         for k, (motion, name) in enumerate(parts):
             changed: dict[str, Any] = {n: self._draw(n, rng) for n in _CAMERA if getattr(self, n)}
             if self.around:
@@ -118,8 +135,8 @@ class SceneSampler:
                 changed["orbit"] = camera.orbit if k % 2 else -camera.orbit
             own_body = body if self.shape is None else self._draw_body(body, rng)
             motion = mirrored(motion) if self.mirror and k // 2 % 2 else motion
-            shots.append(Scene(motion, own_body, replace(camera, **changed), name))
-        return shots
+            scenes.append(Scene(motion, own_body, replace(camera, **changed), name))
+        return scenes
 
     def _draw(self, name: str, rng: np.random.Generator) -> float:
         lowest, highest = getattr(self, name)
@@ -128,27 +145,28 @@ class SceneSampler:
     def _draw_body(self, body: Body, rng: np.random.Generator) -> Body:
         direction = rng.standard_normal(10)
         shape = direction / np.linalg.norm(direction) * self._draw("shape", rng)
-        return Body(body.kind, body.level, shape.tolist())
+        return Body(body.kind, body.level, shape=shape.tolist())
 
 
 def stretches(
     motions: Sequence[Motion], frames: int, rng: np.random.Generator
 ) -> Iterator[tuple[Motion, str]]:
-    """Cut so many frames out of motions, the same number from every performer.
+    """Cut a number of frames out of motions, the same from every performer.
 
     Parameters
     ----------
     motions : sequence of Motion
     frames : int
     rng : numpy.random.Generator
-        Of where a stretch begins that is shorter than its take.
+        Draws where a stretch begins that is shorter than its motion.
 
     Yields
     ------
     stretch : Motion
-        Of a performer's takes in proportion to their lengths, as often as `frames` needs.
+        A performer's motions in proportion to their lengths, repeated until the share of `frames`
+        is reached.
     name : str
-        The take's, and how often it has been used before.
+        The motion's name, and the number of its stretches before this one.
     """
     by_performer: dict[str, list[Motion]] = {}
     for motion in motions:
@@ -157,9 +175,9 @@ def stretches(
     for k, own in enumerate(by_performer.values()):
         wanted = share + (k < rest)
         available = sum(len(motion) for motion in own)
-        again = ceil(wanted / available)
-        repeated = own * again
-        ends = np.cumsum([len(motion) for motion in repeated]) / (again * available) * wanted
+        rounds = ceil(wanted / available)
+        repeated = own * rounds
+        ends = np.cumsum([len(motion) for motion in repeated]) / (rounds * available) * wanted
         lengths = np.diff(np.rint(ends).astype(int), prepend=0)
         for i, (motion, length) in enumerate(zip(repeated, lengths, strict=True)):
             if length:

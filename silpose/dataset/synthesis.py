@@ -1,182 +1,175 @@
-"""From motion to sequences: every pose before a camera."""
+"""Takes from motion: poses are rendered in front of cameras."""
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from typing import Protocol
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.core.progress import bar
-from silpose.dataset.cross_camera import CrossCamera
-from silpose.dataset.cross_performer import CrossPerformer
-from silpose.dataset.lazy_masks import LazyMasks, as_poses
-from silpose.dataset.same_performer import Split
-from silpose.dataset.scenes import SceneSampler
-from silpose.dataset.take import Dataset, Take
-from silpose.motion import Motion
-from silpose.silhouette import Body, Camera, Degradation
-
-Spoil = Callable[[np.ndarray, int], np.ndarray]
+from silpose.dataset.lazy_masks import LazyMasks
+from silpose.dataset.scenes import Scene, SceneSampler
+from silpose.dataset.take import Take
+from silpose.motion import Motion, MotionSource
+from silpose.silhouette import Body, Camera, Degradation, Degrader
 
 HELD = 2**28
-"""Bytes of training masks that are held; where there are more, they are taken when needed."""
+"""Memory limit for training masks, bytes; beyond it they are rendered lazily."""
 
 
-class Splitter(Protocol):
-    """Assigns takes to training, validation and test, given each take's performer."""
-
-    def split(self, takes: Mapping[str, str], /) -> Split: ...  # noqa: D102
-
-
-def photograph(
+def render_take(
     motion: Motion,
     body: Body,
     camera: Camera,
-    advance: Callable[[int], None] = lambda frames: None,
+    *,
     name: str | None = None,
-    hold: bool = True,
-    spoil: Callable[[str], Spoil | None] = lambda name: None,
+    degrade: Degrader | None = None,
+    held: bool = True,
+    advance: Callable[[int], None] = lambda frames: None,
 ) -> Take:
-    """Pose the body through a motion and take its masks.
+    """Pose the body through a motion and render its masks.
 
     Parameters
     ----------
     motion : Motion
     body : Body
     camera : Camera
-    advance : callable, optional
-        Called with 1 after every mask that is taken.
     name : str, optional
-        Of the sequence; the motion's if not given.
-    hold : bool
-        Whether all masks are taken at once and held.
-    spoil : callable, optional
-        From the sequence's name to what degrades its masks.
+        Name of the take, by default the motion's.
+    degrade : callable, optional
+        From a mask and its frame to the degraded mask.
+    held : bool, default=True
+        Whether masks are rendered now and held in memory, rather than when they are asked for.
+    advance : callable, optional
+        Called with 1 after every rendered mask.
 
     Returns
     -------
-    sequence : Take
-        Its poses' headings are relative to the camera.
+    take : Take
+        The headings of its poses are relative to the camera.
+
+    Raises
+    ------
+    InputError
+        If the person is out of the camera's sight in a frame.
     """
     seconds = np.arange(len(motion)) / motion.frames_per_second
     offset, heading = camera.place(motion.root_position, motion.angles[:, 0], seconds)
-    x = as_poses(motion.angles, heading)
-    name = name or motion.name
-    photographs = LazyMasks(motion.name, body, camera, x, offset, spoil(name))
-    masks: np.ndarray | LazyMasks = photographs
-    if hold:
+    x = ANGLES.from_angles(np.column_stack([heading, motion.angles[:, 1:]]))
+    lazy = LazyMasks(motion.name, body, camera, x, offset, degrade)
+    masks: np.ndarray | LazyMasks = lazy
+    if held:
         masks = np.empty((len(motion), camera.height, camera.width), np.uint8)
-        for frame, mask in enumerate(photographs):
+        for frame, mask in enumerate(lazy):
             masks[frame] = mask
             advance(1)
     return Take(
-        name,
+        name or motion.name,
         motion.performer,
         motion.frames_per_second,
         x,
         masks,
         offset,
-        take=motion.name,
+        source=motion.name,
         camera=camera,
     )
 
 
-def synthesise(
-    takes: Sequence[Motion],
-    splitter: Splitter,
-    body: Body,
-    camera: Camera,
-    name: str,
-    scenes: SceneSampler | None = None,
-    degradation: Degradation | None = None,
-) -> Dataset:
-    """Photograph every take that the split uses.
+@dataclass
+class Renderer:
+    """Motion, and what it is rendered with.
 
-    Parameters
+    Attributes
     ----------
-    takes : sequence of Motion
-    splitter : Splitter
+    source : MotionSource
     body : Body
+        The body of validation and test.
     camera : Camera
-    name : str
-        Of the dataset, as results call it.
-    scenes : SceneSampler, optional
-        From which bodies and cameras of training are drawn; validation and test see the one body
-        and the one camera, but where the splitter gives them others.
-    degradation : Degradation, optional
-        Of the masks.
+        The camera of validation and test.
+    scenes : SceneSampler
+        Bodies and cameras of training.
+    degradation : Degradation
+        Degradation of the masks, by default none.
 
-    Returns
-    -------
-    dataset : Dataset
+    Examples
+    --------
+    A dataset in small images, of walkers drawn from a statistical model:
+
+    >>> from silpose.dataset import Renderer, SamePerformer
+    >>> from silpose.motion import WalkerTakes
+    >>> from silpose.silhouette import Camera
+    >>> walkers = WalkerTakes(seconds=1, test_seconds=1)
+    >>> dataset = SamePerformer().load(Renderer(walkers, camera=Camera(width=64, height=64)))
+    >>> dataset.test[0].masks.shape
+    (15, 64, 64)
     """
-    scenes = scenes or SceneSampler()
-    if isinstance(splitter, CrossPerformer):
-        _refuse_walkers(takes)
-    split = splitter.split({take.name: take.performer for take in takes})
-    by_name = {take.name: take for take in takes}
-    parts = [
-        [by_name[take] for take in part] for part in (split.train, split.validation, split.test)
-    ]
-    _refuse_leaks(parts)
-    if split.by_performer and scenes.frames is None:
-        scenes = _equal(scenes, parts[0])
-    test_scenes = scenes.plain()
-    if isinstance(splitter, CrossCamera):
-        test_scenes = splitter.test_scenes(scenes, body, camera)
-    shots = [
-        scenes.shots(parts[0], body, camera),
-        scenes.plain().shots(parts[1], body, camera, stream=1),
-        test_scenes.shots(parts[2], body, camera, stream=2),
-    ]
-    frames = [sum(len(shot.motion) for shot in part) for part in shots]
-    damage = degradation or Degradation()
-    spoils = [damage.degrader(kinds) for kinds in (damage.train, damage.train, damage.test)]
-    hold = frames[0] * camera.height * camera.width <= HELD
-    with bar("masks", frames[0] * hold + sum(frames[1:])) as advance:
-        train, validation, test = (
-            [
-                photograph(shot.motion, shot.body, shot.camera, advance, shot.name, held, spoil)
-                for shot in part
-            ]
-            for part, held, spoil in zip(shots, (hold, True, True), spoils, strict=True)
-        )
-    return Dataset(name, ANGLES, train, validation, test, split.by_performer)
 
+    source: MotionSource
+    body: Body = field(default_factory=Body)
+    camera: Camera = field(default_factory=Camera)
+    scenes: SceneSampler = field(default_factory=SceneSampler)
+    degradation: Degradation = field(default_factory=Degradation)
 
-def _equal(scenes: SceneSampler, takes: Sequence[Motion]) -> SceneSampler:
-    """Ask for as many frames of every performer as the one with the fewest has."""
-    frames: dict[str, int] = {}
-    for take in takes:
-        frames[take.performer] = frames.get(take.performer, 0) + len(take)
-    return replace(scenes, frames=min(frames.values()) * len(frames))
+    @property
+    def takes(self) -> Sequence[Motion]:
+        """All motion of the source."""
+        return self.source.takes()
 
+    def render(
+        self, train: Sequence[Scene], validation: Sequence[Scene], test: Sequence[Scene]
+    ) -> tuple[list[Take], list[Take], list[Take]]:
+        """Render the scenes of a dataset, degraded as `degradation` is set.
 
-def _refuse_walkers(takes: Sequence[Motion]) -> None:
-    """Refuse what was fitted to all performers where none may be known."""
-    for take in takes:
-        if take.synthetic:
-            raise InputError(
-                f"take '{take.name}' is of the statistical walker, which was fitted to all "
-                "performers and is a stranger to none: add motion=bvh motion.root=FOLDER"
+        Parameters
+        ----------
+        train, validation, test : sequence of Scene
+
+        Returns
+        -------
+        train, validation, test : list of Take
+            The masks of training are lazy where they would need more memory than `HELD`.
+        """
+        frames = sum(len(scene.motion) for scene in train)
+        held = frames * self.camera.height * self.camera.width <= HELD
+        eager = [*validation, *test]
+        total = frames * held + sum(len(scene.motion) for scene in eager)
+        hurt = self.degradation
+        with bar("masks", total) as advance:
+            return (
+                [self._render(scene, hurt.train, held, advance) for scene in train],
+                [self._render(scene, hurt.train, True, advance) for scene in validation],
+                [self._render(scene, hurt.test, True, advance) for scene in test],
             )
 
+    def _render(
+        self, scene: Scene, kinds: Sequence[str], held: bool, advance: Callable[[int], None]
+    ) -> Take:
+        return render_take(
+            scene.motion,
+            scene.body,
+            scene.camera,
+            name=scene.name,
+            degrade=self.degradation.degrader(kinds, scene.name),
+            held=held,
+            advance=advance,
+        )
 
-def _refuse_leaks(parts: Sequence[Sequence[Motion]]) -> None:
-    """Refuse a motion that is in two parts under two names."""
-    seen: dict[bytes, tuple[int, str]] = {}
-    for k, part in enumerate(parts):
-        for take in part:
-            angles = take.angles[:, 1:].round(3)  # whatever its heading
-            digest = hashlib.sha256(angles.tobytes()).digest()
-            other, name = seen.setdefault(digest, (k, take.name))
-            if other != k:
-                raise InputError(
-                    f"takes '{name}' and '{take.name}' are the same motion, and are in two of "
-                    "training, validation and test: remove one of the files"
-                )
+    def rerender(self, takes: Sequence[Take], scenes: SceneSampler) -> list[Take]:
+        """Render the motion of some takes again, in other scenes and without degradation.
+
+        Parameters
+        ----------
+        takes : sequence of Take
+            Rendered from this renderer's motion.
+        scenes : SceneSampler
+
+        Returns
+        -------
+        takes : list of Take
+        """
+        sources = {take.source for take in takes}
+        motions = [motion for motion in self.takes if motion.name in sources]
+        drawn = scenes.draw(motions, self.body, self.camera, stream=3)
+        return [render_take(s.motion, s.body, s.camera, name=s.name) for s in drawn]

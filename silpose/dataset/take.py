@@ -1,25 +1,29 @@
-"""Sequences: what is learnt from and tested on."""
+"""Takes, datasets of them, and the interface of whatever makes a dataset."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import PoseSpace
+from silpose.core.types import Array
 from silpose.dataset.lazy_masks import LazyMasks
 from silpose.silhouette import Camera
 
-Array = NDArray[np.float64]
+if TYPE_CHECKING:
+    from silpose.dataset.synthesis import Renderer
 
 
 @dataclass(frozen=True)
 class Take:
-    """One continuous take.
+    """One continuous take: true poses, and masks or descriptors of them.
 
     Attributes
     ----------
@@ -28,15 +32,15 @@ class Take:
     x : ndarray, shape (F, D)
         True poses.
     masks : ndarray of 0 and 1, shape (F, H, W), or LazyMasks, or None
-        Held, or taken when they are asked for.
+        None where the data hold descriptors instead.
     offset : ndarray, shape (F, 3)
-        Of the root from what the camera looks at, metres.
-    z : ndarray, shape (F, d), or None
-        Descriptors, where these are what the data hold instead of masks.
-    take : str or None
-        What was photographed, where one take gave several sequences.
-    camera : Camera or None
-        Which took the masks.
+        Root relative to the camera's target, metres.
+    z : ndarray, shape (F, d), or None, default=None
+        Descriptors, where the data hold these instead of masks.
+    source : str or None, default=None
+        Name of the motion that was rendered, of which there may be several takes.
+    camera : Camera or None, default=None
+        The camera in front of which the masks were rendered.
     """
 
     name: str
@@ -46,25 +50,56 @@ class Take:
     masks: NDArray[np.uint8] | LazyMasks | None
     offset: Array
     z: Array | None = None
-    take: str | None = None
+    source: str | None = None
     camera: Camera | None = None
 
     def __len__(self) -> int:
         return len(self.x)
 
+    @property
+    def has_masks(self) -> bool:
+        """Whether there are masks, rather than descriptors only."""
+        return self.masks is not None
+
+    def mask_array(self) -> NDArray[np.uint8]:
+        """All masks in memory, shape (F, H, W).
+
+        Raises
+        ------
+        InputError
+            If there are none.
+        """
+        if self.masks is None:
+            raise InputError(
+                f"take '{self.name}' holds descriptors but no masks: choose a dataset that is "
+                "rendered, such as dataset=same_performer"
+            )
+        return np.asarray(self.masks)
+
+    def camera_or(self, default: Camera) -> Camera:
+        """Camera of this take, or the default where it has none of its own."""
+        return default if self.camera is None else self.camera
+
 
 @dataclass(frozen=True)
 class Dataset:
-    """Sequences by what they are for; no take may be in two of the lists.
+    """Takes of training, validation and test.
 
     Attributes
     ----------
     name : str
     space : PoseSpace
+        Meaning of the poses.
     train, validation, test : sequence of Take
-    by_performer : bool
-        Whether no performer may be in two of the lists either, and hyper-parameters are chosen by
-        leaving one performer out at a time.
+    by_performer : bool, default=False
+        Whether performers are kept apart too, and settings are chosen by leaving one performer
+        out at a time.
+
+    Raises
+    ------
+    InputError
+        If two takes have the same name, or a motion (with `by_performer` a performer) is in two
+        of the lists.
     """
 
     name: str
@@ -75,16 +110,25 @@ class Dataset:
     by_performer: bool = False
 
     def __post_init__(self) -> None:
-        self._refuse_twice("take", lambda sequence: sequence.take or sequence.name)
+        self._refuse_overlap("take", lambda take: take.source or take.name)
         if self.by_performer:
-            self._refuse_twice("performer", lambda sequence: sequence.performer)
-        names = [s.name for part in (self.train, self.validation, self.test) for s in part]
+            self._refuse_overlap("performer", lambda take: take.performer)
+        names = [take.name for part in self._parts for take in part]
         if len(set(names)) < len(names):
             twice = next(name for name in names if names.count(name) > 1)
-            raise InputError(f"two sequences are called '{twice}'")
+            raise InputError(f"two takes are called '{twice}': rename one of the files")
 
-    def _refuse_twice(self, what: str, which: Callable[[Take], str]) -> None:
-        parts = [{which(s) for s in part} for part in (self.train, self.validation, self.test)]
+    @property
+    def has_masks(self) -> bool:
+        """Whether all takes have masks, rather than descriptors only."""
+        return all(take.has_masks for part in self._parts for take in part)
+
+    @property
+    def _parts(self) -> tuple[Sequence[Take], ...]:
+        return self.train, self.validation, self.test
+
+    def _refuse_overlap(self, what: str, key: Callable[[Take], str]) -> None:
+        parts = [{key(take) for take in part} for part in self._parts]
         for one, other in combinations(parts, 2):
             if one & other:
                 raise InputError(
@@ -92,6 +136,34 @@ class Dataset:
                 )
 
 
-def poses(sequences: Iterable[Take]) -> Array:
-    """All poses of some sequences, shape (n, D)."""
-    return np.concatenate([s.x for s in sequences])
+class DatasetSource(ABC):
+    """A choice of dataset.
+
+    Attributes
+    ----------
+    name : str
+    rendered : bool
+        Whether masks are rendered, so that bodies, cameras and degradations can be varied.
+    """
+
+    name: ClassVar[str]
+    rendered: ClassVar[bool] = True
+
+    @abstractmethod
+    def load(self, renderer: Renderer) -> Dataset:
+        """Render the dataset, or read it from its file.
+
+        Parameters
+        ----------
+        renderer : Renderer
+            Motion and how to render it; ignored by data that are read.
+        """
+
+    def full_name(self, renderer: Renderer) -> str:
+        """Name of the dataset that `load` makes."""
+        return f"{self.name}/{renderer.source.name}" if self.rendered else self.name
+
+
+def poses(takes: Iterable[Take]) -> Array:
+    """All poses of some takes, shape (n, D)."""
+    return np.concatenate([take.x for take in takes])

@@ -1,4 +1,4 @@
-"""What else people describe silhouettes by: Hu's moments, and principal components of the mask."""
+"""Other descriptors, for comparison: Hu's moments, and principal components of the mask."""
 
 from __future__ import annotations
 
@@ -9,25 +9,39 @@ from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.decomposition import PCA
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.descriptor.boundary import as_mask
-from silpose.descriptor.histogram import Masks
+from silpose.core.types import Array, Array32
+from silpose.descriptor.boundary import Masks, as_mask
 
-Array = NDArray[np.float64]
-
-_TINY = 1e-30  # what the logarithm of a vanishing moment is taken of
+_TINY = 1e-30  # keeps the logarithm of a vanishing moment finite
 
 
 class HuMoments(TransformerMixin, BaseEstimator):
-    """The logarithms of Hu's seven invariant moments, at zero mean and unit variance (Hu 1962).
+    """Logarithms of Hu's seven invariant moments, standardised to zero mean and unit variance.
 
     Attributes
     ----------
     mean_, scale_ : ndarray, shape (7,)
-        Of the training masks.
+        Mean and standard deviation over the training masks.
+
+    References
+    ----------
+    M.-K. Hu, "Visual pattern recognition by moment invariants", IRE Transactions on Information
+    Theory 1962.
     """
 
     def fit(self, masks: Masks, y: object = None) -> HuMoments:
-        """Learn mean and scale of the moments."""
+        """Learn mean and scale of the moments.
+
+        Parameters
+        ----------
+        masks : array-like, shape (n, H, W), or list of arrays of any shapes (H, W)
+        y : object, optional
+            Ignored.
+
+        Returns
+        -------
+        self : HuMoments
+        """
         moments = _log_moments(masks)
         self.mean_ = moments.mean(axis=0)
         deviation = moments.std(axis=0)
@@ -41,28 +55,41 @@ class HuMoments(TransformerMixin, BaseEstimator):
 
 
 class AlignedMask(TransformerMixin, BaseEstimator):
-    """Principal components of the mask, brought to one height and its centroid to the middle.
+    """Principal components of the mask, scaled to one height and centred on its centroid.
 
     Parameters
     ----------
-    size : int
-        Pixels of the aligned mask's height and width.
-    components : int
-        At most so many.
-    random_state : int or None
+    size : int, default=48
+        Height and width of the aligned mask, pixels.
+    components : int, default=100
+        Number of components, if there are as many masks.
+    random_state : int or None, default=0
 
     Attributes
     ----------
     pca_ : PCA
     """
 
-    def __init__(self, size: int = 48, components: int = 100, random_state: int | None = 0) -> None:
+    def __init__(
+        self, *, size: int = 48, components: int = 100, random_state: int | None = 0
+    ) -> None:
         self.size = size
         self.components = components
         self.random_state = random_state
 
     def fit(self, masks: Masks, y: object = None) -> AlignedMask:
-        """Learn the components."""
+        """Learn the components.
+
+        Parameters
+        ----------
+        masks : array-like, shape (n, H, W), or list of arrays of any shapes (H, W)
+        y : object, optional
+            Ignored.
+
+        Returns
+        -------
+        self : AlignedMask
+        """
         aligned = self._aligned(masks)
         count = min(self.components, len(aligned))
         self.pca_ = PCA(count, svd_solver="randomized", random_state=self.random_state)
@@ -74,10 +101,10 @@ class AlignedMask(TransformerMixin, BaseEstimator):
         check_is_fitted(self)
         return np.asarray(self.pca_.transform(self._aligned(masks)), dtype=float)
 
-    def _aligned(self, masks: Masks) -> NDArray[np.float32]:
+    def _aligned(self, masks: Masks) -> Array32:
         return np.stack([self._align(as_mask(mask, k)) for k, mask in enumerate(masks)])
 
-    def _align(self, mask: NDArray[np.uint8]) -> NDArray[np.float32]:
+    def _align(self, mask: NDArray[np.uint8]) -> Array32:
         _, top, _, height = cv2.boundingRect(mask)
         moments = cv2.moments(mask, binaryImage=True)
         scale = self.size / height

@@ -1,6 +1,9 @@
-"""The boundary of a mask, and regularly spaced points on it."""
+"""Masks, their boundaries, and regularly spaced points on these."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
 
 import cv2
 import numba
@@ -9,17 +12,31 @@ from numpy.typing import ArrayLike, NDArray
 
 from silpose.core.errors import InputError
 
+Masks = NDArray[Any] | Sequence[ArrayLike]
+"""Shape (n, H, W), or any number of arrays of any shapes (H, W)."""
+
 Pixels = NDArray[np.int32]
+"""Shape (n, 2), x and y."""
 
 
 def as_mask(mask: ArrayLike, index: int) -> NDArray[np.uint8]:
-    """Check one mask: 2-D, boolean or integer (not 0 is foreground), or floats of 0 and 1.
+    """Check one mask, and convert it for OpenCV.
 
     Parameters
     ----------
     mask : array-like, shape (H, W)
+        Booleans or integers, of which not 0 is foreground, or floats of 0 and 1.
     index : int
         Named in errors.
+
+    Returns
+    -------
+    mask : ndarray of uint8, shape (H, W)
+
+    Raises
+    ------
+    InputError
+        If it is no mask, or blank.
     """
     mask = np.asarray(mask)
     if mask.ndim != 2 or 0 in mask.shape:
@@ -34,13 +51,21 @@ def as_mask(mask: ArrayLike, index: int) -> NDArray[np.uint8]:
     return mask
 
 
+def check_stack(masks: Masks) -> None:
+    """Refuse an array that is no stack of masks, and no masks at all."""
+    if isinstance(masks, np.ndarray) and masks.ndim != 3:
+        raise InputError(f"masks have shape {masks.shape}: expected (n, height, width)")
+    if not len(masks):
+        raise InputError("there are no masks: give at least one")
+
+
 def boundary_pixels(mask: NDArray[np.uint8], closing: float = 0.0) -> tuple[Pixels, Pixels]:
     """Follow the boundaries of all components and of their holes.
 
     Parameters
     ----------
     mask : ndarray of uint8, shape (H, W)
-    closing : float
+    closing : float, default=0.0
         Gaps narrower than this share of the silhouette's longer side are filled first.
 
     Returns
@@ -59,12 +84,20 @@ def boundary_pixels(mask: NDArray[np.uint8], closing: float = 0.0) -> tuple[Pixe
 
 
 def _closed(mask: NDArray[np.uint8], closing: float) -> tuple[NDArray[np.uint8], tuple[int, int]]:
-    """Close the part of a mask that a silhouette covers; where that part lies, x and y.
+    """Close gaps in the part of a mask that the silhouette covers.
 
-    A square, unlike a disc, is passed over rows and columns in turn: five times as fast.
+    The structuring element is a square, which is applied to rows and columns in turn: five times
+    as fast as a disc.
+
+    Returns
+    -------
+    closed : ndarray of uint8
+        That part, with a margin.
+    position : (int, int)
+        x and y of that part.
     """
     left, top, width, height = cv2.boundingRect(mask)
-    margin = round(closing * max(width, height) / 2)  # so that the part's edge is no obstacle
+    margin = round(closing * max(width, height) / 2)  # keeps the part's edge from having an effect
     part = mask[top : top + height, left : left + width]
     square = np.ones((2 * margin + 1, 2 * margin + 1), np.uint8)
     sides = (margin, margin, margin, margin)
@@ -77,7 +110,7 @@ def _closed(mask: NDArray[np.uint8], closing: float) -> tuple[NDArray[np.uint8],
 
 @numba.njit(cache=True, nogil=True)
 def extent(pixels: Pixels) -> float:  # pragma: no cover
-    """Root mean square distance of the pixels from their centre: the size of a silhouette."""
+    """Size of a silhouette: root mean square distance of boundary pixels from their centre."""
     x, y, squares = 0.0, 0.0, 0.0
     for n in range(len(pixels)):
         dx, dy = float(pixels[n, 0] - pixels[0, 0]), float(pixels[n, 1] - pixels[0, 1])
@@ -96,18 +129,20 @@ def spaced_indices(
 
     Parameters
     ----------
-    pixels, lengths
-        As from `boundary_pixels`.
+    pixels : ndarray of int, shape (N, 2)
+        Boundary, as `boundary_pixels` returns it.
+    lengths : ndarray of int, shape (C,)
+        Number of pixels of each contour.
     count : int
-        Number of points; where there are fewer pixels, some are chosen repeatedly. 0 leaves the
-        number to the spacing.
+        Number of points; if there are fewer pixels, some are chosen repeatedly. With 0, `spacing`
+        determines the number.
     spacing : float
-        Arc length between points, pixels, if there is no count; at least one point is chosen.
+        Arc length between points, pixels, if `count` is 0; at least one point is chosen.
 
     Returns
     -------
     indices : ndarray of int, shape (count,)
-        Into the pixels.
+        Indices of the chosen pixels.
     """
     along = np.empty(len(pixels) + 1)
     along[0] = 0.0

@@ -1,31 +1,32 @@
-"""The space of shape contexts: Fig. 2 of the paper."""
+"""The plane of shape contexts' first two principal components."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
 from sklearn.decomposition import PCA
 
-from silpose.descriptor import Description
-
-Array = NDArray[np.float64]
+from silpose.core.types import Array, Array32
+from silpose.descriptor.description import Description
 
 
 @dataclass(frozen=True)
 class ContextSpace:
-    """The plane of the first two principal components of shape contexts.
+    """Shape contexts, projected to their first two principal components.
 
     Attributes
     ----------
     contexts : ndarray, shape (n, 2)
-        Of training silhouettes.
+        Contexts of training silhouettes.
     centres : ndarray, shape (K, 2)
-        Of the codebook.
-    points : list of ndarray, each (P, 2)
-        The edge points of each frame.
+        Centres of the codebook.
+    points : list of ndarray, each of shape (P, 2)
+        Contexts of the edge points of each frame.
+
+    References
+    ----------
+    Fig. 2 of the paper.
     """
 
     contexts: Array
@@ -34,12 +35,23 @@ class ContextSpace:
 
     @classmethod
     def of(
-        cls, contexts: Array, codebook: NDArray[np.float32], seen: Sequence[Description]
+        cls, contexts: Array, codebook: Array32, described: Sequence[Description]
     ) -> ContextSpace:
-        """Find the plane of contexts (n, B); put a codebook (K, B) and described masks there."""
+        """Find the plane of some contexts, and project a codebook and described masks to it.
+
+        Parameters
+        ----------
+        contexts : ndarray, shape (n, B)
+        codebook : ndarray, shape (K, B)
+        described : sequence of Description
+
+        Returns
+        -------
+        space : ContextSpace
+        """
         pca = PCA(2).fit(contexts)
         return cls(
             pca.transform(contexts),
             pca.transform(codebook),
-            [pca.transform(description.contexts) for description in seen],
+            [pca.transform(description.contexts) for description in described],
         )

@@ -1,7 +1,7 @@
-"""Shape contexts: where the rest of the boundary lies, seen from a point on it.
+"""Shape contexts: log-polar histograms of the boundary around points on it.
 
-Section II-A of the paper: a log-polar histogram around each edge point, not rotated (the
-vertical is known), into which every boundary pixel within a limb's reach votes.
+Every boundary pixel within about a limb's length of an edge point is counted. Contexts are not
+rotated, as the vertical is known (section II-A of the paper).
 """
 
 from __future__ import annotations
@@ -10,30 +10,41 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.types import Array, Array32
 from silpose.descriptor.boundary import Pixels
 
-Array = NDArray[np.float32]
 
+def ring_bounds(radius: float, inner_radius: float, radial_bins: int) -> Array:
+    """Outer radius of each ring, which grow by equal factors.
 
-def ring_bounds(radius: float, inner_radius: float, radial_bins: int) -> NDArray[np.float64]:
-    """Outer radius of each ring: the innermost's, then growing by equal factors.
+    Parameters
+    ----------
+    radius, inner_radius : float
+        Outer radii of the last and of the innermost ring.
+    radial_bins : int
 
     Returns
     -------
     bounds : ndarray, shape (radial_bins,)
-        In units of `radius` and `inner_radius`.
     """
     steps = np.arange(1 - radial_bins, 1)
     return radius * (radius / inner_radius) ** (steps / max(radial_bins - 1, 1))
 
 
 def sector_table(reach: int, angular_bins: int) -> NDArray[np.int16]:
-    """Angular bin of every offset up to ``reach`` pixels: the first bin is centred on +x.
+    """Angular bin of every offset between two pixels.
+
+    Parameters
+    ----------
+    reach : int
+        Largest offset in x and y, pixels.
+    angular_bins : int
 
     Returns
     -------
     sectors : ndarray of int, shape (2 reach + 1, 2 reach + 1)
-        Indexed by dy + reach and dx + reach; counted from +x (right) to +y (down).
+        Indexed by dy + reach and dx + reach. The first bin is centred on +x (right), and they are
+        counted towards +y (down).
     """
     dy, dx = np.mgrid[-reach : reach + 1, -reach : reach + 1]
     turns = np.arctan2(dy, dx) / (2 * np.pi)
@@ -44,32 +55,32 @@ def sector_table(reach: int, angular_bins: int) -> NDArray[np.int16]:
 def shape_contexts(
     pixels: Pixels,
     points: Pixels,
-    bounds: NDArray[np.float64],
+    bounds: Array,
     sectors: NDArray[np.int16],
     angular_bins: int,
-) -> Array:  # pragma: no cover
+) -> Array32:  # pragma: no cover
     """Histogram the boundary around each point.
 
-    All offsets are whole pixels, so an offset's bin is looked up in a table made once per mask.
-    With pixels in rows, an offset is one difference of addresses, and only the rows within reach
-    are visited.
+    All offsets are integers, so that an offset's bin is looked up in a table that is made once per
+    mask. With pixels sorted by row, an offset is one difference of addresses, and only the rows
+    within reach are visited.
 
     Parameters
     ----------
     pixels : ndarray of int, shape (N, 2)
         Boundary, x and y.
     points : ndarray of int, shape (P, 2)
-        Where contexts are taken, each on the boundary.
+        Edge points, each on the boundary.
     bounds : ndarray, shape (radial_bins,)
         Outer radius of each ring, pixels.
     sectors : ndarray of int
-        `sector_table` of at least the last bound.
+        `sector_table` with a reach of at least the last bound.
     angular_bins : int
 
     Returns
     -------
     contexts : ndarray, shape (P, radial_bins * angular_bins)
-        Each sums to 1, ring after ring; a point that sees no other pixel has zeros.
+        Each sums to 1, ring after ring; it is zero for a point without any other pixel in reach.
     """
     reach = int(bounds[-1])
     left, right = pixels[:, 0].min(), pixels[:, 0].max()
@@ -101,7 +112,7 @@ def shape_contexts(
 
 @numba.njit(cache=True, nogil=True)
 def _bins_of_offsets(
-    bounds: NDArray[np.float64],
+    bounds: Array,
     sectors: NDArray[np.int16],
     angular_bins: int,
     reach: int,
@@ -109,7 +120,7 @@ def _bins_of_offsets(
 ) -> NDArray[np.uint16]:  # pragma: no cover
     """Bin of every offset, at the address ``(dy + reach) * width + dx + width // 2``.
 
-    The last bin is for what is out of reach, and for the point itself.
+    The last bin is that of offsets out of reach, and of the point itself.
     """
     table = np.full((2 * reach + 1) * width, len(bounds) * angular_bins, np.uint16)
     limits = bounds**2
@@ -130,7 +141,7 @@ def _bins_of_offsets(
 def _in_rows(
     pixels: Pixels, left: int, width: int
 ) -> tuple[int, Pixels, Pixels]:  # pragma: no cover
-    """Sort pixels by row: the top row, where each row starts (and ends), and their addresses."""
+    """Sort pixels by row; return the top row, the start of each row, and the addresses."""
     top, bottom = pixels[:, 1].min(), pixels[:, 1].max()
     first = np.zeros(bottom - top + 2, np.int32)
     for n in range(len(pixels)):

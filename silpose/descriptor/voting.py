@@ -6,35 +6,36 @@ import numba
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float32]
+from silpose.core.types import Array, Array32
 
-_ROUNDS = 40  # halvings of an interval of float32 after which only equal numbers are left in it
+_ROUNDS = 40  # halvings after which an interval of float32 contains equal numbers only
 
 
 @numba.njit(cache=True, nogil=True)
 def soft_votes(
-    contexts: Array, transposed: Array, norms: Array, voters: int, width: float
-) -> tuple[NDArray[np.float64], NDArray[np.int32]]:  # pragma: no cover
-    """Let every context vote into the centres nearest to it.
+    contexts: Array32, transposed: Array32, norms: Array32, voters: int, width: float
+) -> tuple[Array, NDArray[np.int32]]:  # pragma: no cover
+    """Add up the votes of every context into the centres nearest to it.
 
     Parameters
     ----------
     contexts : ndarray, shape (P, B)
     transposed : ndarray, shape (B, K)
-        The codebook's centres as columns.
+        Centres of the codebook as columns.
     norms : ndarray, shape (K,)
         Squared lengths of the centres.
     voters : int
-        How many centres each context votes into, at most K.
+        Number of centres that each context votes into, at most K.
     width : float
-        A vote falls with the distance d as exp(-d² / 2 width²); one context's votes sum to 1.
+        A vote decreases with the distance d as exp(-d² / 2 width²); the votes of one context sum
+        to 1.
 
     Returns
     -------
     votes : ndarray, shape (K,)
-        Summing to P.
+        They sum to P.
     nearest : ndarray of int, shape (P,)
-        The centre nearest to each context.
+        Nearest centre of each context.
     """
     size = len(norms)
     falloff = 0.5 / (width * width)
@@ -64,17 +65,17 @@ def soft_votes(
 
 @numba.njit(cache=True, nogil=True, fastmath={"contract"})
 def _squared_distances(
-    context: Array,
-    transposed: Array,
-    norms: Array,
-    squared: Array,
+    context: Array32,
+    transposed: Array32,
+    norms: Array32,
+    squared: Array32,
     filled: NDArray[np.int32],
-    twice: Array,
+    twice: Array32,
 ) -> None:  # pragma: no cover
-    """Fill in the squared distances to all centres, but for the context's own squared length.
+    """Fill in the squared distances to all centres, without the context's own squared length.
 
-    Most bins of a context are empty: the filled ones alone, four at a time, take less than half of
-    what a product of whole matrices takes. `filled` and `twice` are room to write them down.
+    Most bins of a context are empty. Using the others alone, four at a time, takes less than half
+    the time of a product of whole matrices. `filled` and `twice` are working memory.
     """
     count = 0
     for b in range(len(context)):
@@ -93,10 +94,10 @@ def _squared_distances(
 
 
 @numba.njit(cache=True, nogil=True)
-def _smallest(values: Array, wanted: int, chosen: NDArray[np.int32]) -> int:  # pragma: no cover
-    """Put the numbers of the `wanted` smallest values into `chosen`, in rising order of number.
+def _smallest(values: Array32, wanted: int, chosen: NDArray[np.int32]) -> int:  # pragma: no cover
+    """Put the indices of the `wanted` smallest values into `chosen`, in increasing order.
 
-    Counting what is below a bound is so fast that halving the interval of bounds beats sorting.
+    Counting values below a bound is so fast that halving the interval of bounds beats sorting.
     """
     low, high = _ends(values)
     count = len(values)
@@ -115,7 +116,7 @@ def _smallest(values: Array, wanted: int, chosen: NDArray[np.int32]) -> int:  # 
     for k in range(len(values)):
         chosen[count] = k
         count += values[k] <= high
-    while count > wanted:  # equal ones are left: the first of them stay
+    while count > wanted:  # only equal values are left: the first of them stay
         last = 0
         for n in range(1, count):
             if values[chosen[n]] >= values[chosen[last]]:
@@ -127,7 +128,7 @@ def _smallest(values: Array, wanted: int, chosen: NDArray[np.int32]) -> int:  # 
 
 
 @numba.njit(cache=True, nogil=True, fastmath=True)
-def _ends(values: Array) -> tuple[np.float32, np.float32]:  # pragma: no cover
+def _ends(values: Array32) -> tuple[np.float32, np.float32]:  # pragma: no cover
     low, high = values[0], values[0]
     for k in range(len(values)):
         low, high = min(low, values[k]), max(high, values[k])

@@ -1,17 +1,47 @@
-"""Metrics and baselines."""
+"""How good estimated poses are: metrics and baselines, recovery after failures.
 
-from silpose.evaluation.baselines import BASELINES, baselines
-from silpose.evaluation.heading import heading_confidence, key_angles
-from silpose.evaluation.metrics import heading_errors, joint_distances, measure
+Takes true and estimated poses and gives numbers and rows for ``metrics.json`` and
+``results.csv``.
+"""
+
+from silpose.evaluation.baselines import BASELINES, baselines, oracle
+from silpose.evaluation.heading import (
+    HEADING_LIMIT_DEG,
+    heading_confidence,
+    heading_errors,
+    key_angles,
+)
+from silpose.evaluation.headlines import HEADLINES, headlines
+from silpose.evaluation.metrics import METRICS, joint_distances, measure
+from silpose.evaluation.pose_differences import KINDS, depth_mirrored, differences, kinds_of
+from silpose.evaluation.recovery import (
+    FailureSequence,
+    FailureTrial,
+    blank_trials,
+    cut_trials,
+)
 from silpose.evaluation.thigh_swing import thigh_swing
 
 __all__ = [
     "BASELINES",
+    "HEADING_LIMIT_DEG",
+    "HEADLINES",
+    "KINDS",
+    "METRICS",
+    "FailureSequence",
+    "FailureTrial",
     "baselines",
+    "blank_trials",
+    "cut_trials",
+    "depth_mirrored",
+    "differences",
     "heading_confidence",
     "heading_errors",
+    "headlines",
     "joint_distances",
     "key_angles",
+    "kinds_of",
     "measure",
+    "oracle",
     "thigh_swing",
 ]

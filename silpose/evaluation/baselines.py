@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from sklearn.neighbors import KNeighborsRegressor
 
 from silpose.core.pose_space import PoseSpace
-
-Array = NDArray[np.float64]
+from silpose.core.types import Array
 
 BASELINES = ("mean_pose", "nearest", "knn", "oracle")
 _BLOCK = 64  # frames whose distances to all training poses are held at a time
@@ -25,7 +23,7 @@ def baselines(
     z_train, x_train : ndarray, shapes (n, d) and (n, D)
         Training descriptors and poses.
     z, x : ndarray, shapes (F, d) and (F, D)
-        Descriptors to answer, and the true poses, which only the oracle sees.
+        Test descriptors, and the true poses, which only the oracle uses.
 
     Returns
     -------
@@ -46,7 +44,10 @@ def baselines(
 
 
 def oracle(space: PoseSpace, x_train: Array, x: Array) -> Array:
-    """Training pose nearest to each true pose: the floor for whatever copies training poses."""
+    """Training pose nearest to each true pose, shape (F, D).
+
+    The least error that copying a training pose can have.
+    """
     nearest = [
         space.pairwise(x[start : start + _BLOCK], x_train).argmin(axis=1)
         for start in range(0, len(x), _BLOCK)

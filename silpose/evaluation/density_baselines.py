@@ -1,81 +1,117 @@
-"""What a mixture of regressors is measured against, each at its best on held-out sequences."""
+"""Baselines of a mixture of regressors: other densities p(x|z), at their best on held-out takes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Protocol
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from functools import partial
+from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import logsumexp
+from sklearn.base import BaseEstimator, clone
 from sklearn.neighbors import NearestNeighbors
 
-from silpose.regression import MixtureOfRegressors, RidgeRegressor
-from silpose.regression.selection.folds import folds
-
-Array = NDArray[np.float64]
-Examples = Sequence[tuple[Array, Array]]
-
-
-class Peer(Protocol):
-    """Says p(x|z); `widths` multiply its variances."""
-
-    def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> Peer:
-        """Learn; from `mixture` come the reduced input, the standard scale and the floor."""
-
-    def log_likelihoods(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
-        """Log p(x|z) with each of W widths, shape (W, n), on the standard scale."""
+from silpose.core.parameters import POSITIVE, POSITIVE_INTEGER, Constraints, check_parameters
+from silpose.core.types import Array, Examples, Settings
+from silpose.regression import (
+    Candidates,
+    Fold,
+    MixtureOfRegressors,
+    Outcome,
+    RidgeRegressor,
+    best,
+    folds,
+    search,
+)
+from silpose.regression.selection import settings_of
 
 
-class SingleGaussian:
-    """One regressor with Gaussian noise: the variance it predicts itself.
+class DensityBaseline(BaseEstimator, ABC):
+    """A density p(x|z) on the standard scale of a mixture, its variances multiplied by `width`."""
+
+    width: float
+    constraints: ClassVar[Constraints] = {"width": POSITIVE}
+
+    @abstractmethod
+    def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> DensityBaseline:
+        """Fit to training examples.
+
+        Parameters
+        ----------
+        z, x : ndarray, shapes (n, d) and (n, D)
+        mixture : MixtureOfRegressors
+            Fitted; its reduced input, standard scale and floor serve the baseline, too.
+        """
+
+    @abstractmethod
+    def log_likelihoods_by_width(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
+        """Log p(x|z) with each of W widths, shape (W, n)."""
+
+    def log_likelihoods(self, z: Array, x: Array) -> Array:
+        """Log p(x|z) of each example, shape (n,)."""
+        return self.log_likelihoods_by_width(z, x, [self.width])[0]
+
+
+class SingleGaussian(DensityBaseline):
+    """One ridge regressor with Gaussian noise of the variance that it predicts itself.
 
     Parameters
     ----------
-    ridge : RidgeRegressor
-        Whose basis and damping are chosen already.
+    ridge : RidgeRegressor or None, default=None
+        Its basis and damping are chosen already; None is `RidgeRegressor()`.
+    width : float, default=1.0
+        Factor of the variance.
     """
 
-    def __init__(self, ridge: RidgeRegressor) -> None:
-        self._ridge = ridge
+    def __init__(self, ridge: RidgeRegressor | None = None, *, width: float = 1.0) -> None:
+        self.ridge = ridge
+        self.width = width
 
     def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> SingleGaussian:
         """Fit the regressor."""
-        self._fitted = RidgeRegressor(self._ridge.basis, self._ridge.damping).fit(z, x)
-        self._mixture = mixture
+        check_parameters(self)
+        self.ridge_ = clone(self.ridge or RidgeRegressor()).fit(z, x)
+        self.mixture_ = mixture
         return self
 
-    def log_likelihoods(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
-        """Log p(x|z) with each of W widths, shape (W, n), on the standard scale."""
-        varies, scale = self._mixture.varies_, self._mixture.scale_
-        estimated, std = self._fitted.predict(z, return_std=True)
+    def log_likelihoods_by_width(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
+        """Log p(x|z) with each of W widths, shape (W, n)."""
+        varies, scale = self.mixture_.varies_, self.mixture_.scale_
+        estimated, std = self.ridge_.predict(z, return_std=True)
         own = ((std / scale) ** 2)[:, varies]
         off = ((x - estimated) / scale)[:, varies] ** 2
-        variances = [np.maximum(width * own, self._mixture.floor**2) for width in widths]
+        variances = [np.maximum(width * own, self.mixture_.floor**2) for width in widths]
         return np.array([-0.5 * (off / v + np.log(2 * np.pi * v)).sum(axis=1) for v in variances])
 
 
-class GaussianMixtureRegression:
-    """Joint Gaussian mixture of ψ and x with full covariances, fitted by `gmr`.
+class GaussianMixtureRegression(DensityBaseline):
+    """Joint Gaussian mixture of ψ and x with full covariances, fitted by the package `gmr`.
 
     Parameters
     ----------
-    components : int
+    n_components : int, default=4
+    width : float, default=1.0
+        Factor of the conditional variances.
     """
 
-    def __init__(self, components: int) -> None:
-        self._components = components
+    constraints: ClassVar[Constraints] = {"n_components": POSITIVE_INTEGER, "width": POSITIVE}
+
+    def __init__(self, n_components: int = 4, *, width: float = 1.0) -> None:
+        self.n_components = n_components
+        self.width = width
 
     def fit(self, z: Array, x: Array, mixture: MixtureOfRegressors) -> GaussianMixtureRegression:
         """Fit the joint density, and prepare conditioning."""
         from gmr import GMM
 
-        self._mixture = mixture
+        check_parameters(self)
+        self.mixture_ = mixture
         psi = mixture.reduction_.transform(z)
         d = psi.shape[1]
         samples = np.hstack([psi, self._standard(x)])
-        start = _first_covariances(samples, self._components)
-        joint = GMM(self._components, covariances=start, random_state=0)
+        start = _first_covariances(samples, self.n_components)
+        joint = GMM(self.n_components, covariances=start, random_state=0)
         joint.from_samples(
             samples, n_iter=30, init_params="kmeans++", oracle_approximating_shrinkage=True
         )
@@ -89,12 +125,12 @@ class GaussianMixtureRegression:
         return self
 
     def _standard(self, x: Array) -> Array:
-        mixture = self._mixture
+        mixture = self.mixture_
         return ((x - mixture.mean_) / mixture.scale_)[:, mixture.varies_]
 
     def _conditioned(self, z: Array) -> tuple[Array, Array]:
-        """Log weights (n, K) and means (K, n, D) of the components given z."""
-        psi = self._mixture.reduction_.transform(z)
+        """Log weights (n, K) and means (K, n, D) of the components, given z."""
+        psi = self.mixture_.reduction_.transform(z)
         off = psi - self._gate[:, None]
         means = self._offset[:, None] + off @ self._slope
         solved = np.linalg.solve(self._within, np.swapaxes(off, 1, 2))
@@ -102,25 +138,25 @@ class GaussianMixtureRegression:
         gates = self._log_priors - 0.5 * (squared + np.linalg.slogdet(self._within)[1])
         return gates - logsumexp(gates, axis=1, keepdims=True), means
 
-    def log_likelihoods(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
-        """Log p(x|z) with each of W widths, shape (W, n), on the standard scale.
+    def log_likelihoods_by_width(self, z: Array, x: Array, widths: Sequence[float]) -> Array:
+        """Log p(x|z) with each of W widths, shape (W, n).
 
-        Eigenvalues have the common floor.
+        Eigenvalues of the covariances have the mixture's floor.
         """
         gates, means = self._conditioned(z)
         along = ((self._standard(x) - means) @ self._vectors) ** 2
         found = []
         for width in widths:
-            variance = np.maximum(width * self._values, self._mixture.floor**2)
+            variance = np.maximum(width * self._values, self.mixture_.floor**2)
             off = (along @ (1 / variance)[..., None])[..., 0].T
             constant = np.log(2 * np.pi * variance).sum(axis=1)
             found.append(logsumexp(gates - 0.5 * (off + constant), axis=1))
         return np.array(found)
 
     def predict_modes(self, z: Array, k: int) -> Array:
-        """Means of the k most probable components, best first, shape (n, k, D)."""
+        """Return the means of the k most probable components, best first, shape (n, k, D)."""
         gates, means = self._conditioned(z)
-        mixture = self._mixture
+        mixture = self.mixture_
         order = np.argsort(-gates, axis=1)[:, :k]
         chosen = means[order, np.arange(len(z))[:, None]]
         modes = np.tile(mixture.mean_, (len(z), order.shape[1], 1))
@@ -129,9 +165,10 @@ class GaussianMixtureRegression:
 
 
 def _first_covariances(samples: Array, components: int) -> Array:
-    """Give those that `gmr` starts from, shape (K, p, p): (mean |a - b| of two samples / K)².
+    """Covariances that `gmr` begins with, shape (K, p, p): (mean |a - b| of two samples / K)².
 
-    It goes through all pairs of samples (n, p); sorted, each counts as often as it is the larger.
+    It computes the mean over all pairs of samples (n, p); once they are sorted, the k-th counts
+    2 k - n + 1 times.
     """
     n = len(samples)
     apart = 2 * (2 * np.arange(n) - n + 1) @ np.sort(samples, axis=0) / (n * (n - 1))
@@ -139,30 +176,72 @@ def _first_covariances(samples: Array, components: int) -> Array:
 
 
 def neighbour_modes(z_train: Array, x_train: Array, z: Array, k: int) -> Array:
-    """Poses of the k nearest training descriptors (Hellinger), best first, shape (n, k, D)."""
-    search = NearestNeighbors(n_neighbors=min(k, len(z_train))).fit(np.sqrt(z_train))
-    return x_train[search.kneighbors(np.sqrt(z), return_distance=False)]
+    """Return the poses of the nearest training descriptors by Hellinger distance, nearest first.
+
+    Parameters
+    ----------
+    z_train, x_train : ndarray, shapes (m, d) and (m, D)
+    z : ndarray, shape (n, d)
+    k : int
+        Number of neighbours.
+
+    Returns
+    -------
+    modes : ndarray, shape (n, k, D)
+    """
+    neighbours = NearestNeighbors(n_neighbors=min(k, len(z_train))).fit(np.sqrt(z_train))
+    return x_train[neighbours.kneighbors(np.sqrt(z), return_distance=False)]
 
 
-def choose_peer(
-    makers: Sequence[Callable[[], Peer]],
-    widths: Sequence[float],
+def choose_density_baseline(
+    candidates: Candidates[DensityBaseline],
     train: Examples,
     validation: Examples,
     mixture: MixtureOfRegressors,
-    groups: Sequence[str] | None,
-) -> tuple[Peer, float]:
-    """Fit the peer, and find the factor of its variances, of highest held-out likelihood."""
-    pairs = folds(train, validation, groups=groups)
-    scores = np.zeros((len(makers), len(widths)))
-    for row, make in zip(scores, makers, strict=True):
-        for learnt, judged in pairs:
-            peer = make().fit(*_joined(learnt), mixture)
-            row += peer.log_likelihoods(*_joined(judged), widths).sum(axis=1)
-    best, width = np.unravel_index(int(scores.argmax()), scores.shape)
-    return makers[int(best)]().fit(*_joined(train), mixture), widths[int(width)]
+    *,
+    groups: Sequence[str] | None = None,
+) -> DensityBaseline:
+    """Fit the baseline whose settings have the highest held-out likelihood.
+
+    Parameters
+    ----------
+    candidates : Candidates of DensityBaseline
+    train, validation : sequence of (z, x)
+        Descriptors (F, d) and poses (F, D) of each take. Without validation takes every training
+        take is held out in one of the folds.
+    mixture : MixtureOfRegressors
+        Fitted to all training takes.
+    groups : sequence of str, optional
+        Group of each training take; without validation takes, each group is held out once.
+
+    Returns
+    -------
+    baseline : DensityBaseline
+        Fitted to all training takes.
+    """
+    once = tuple(name for name in candidates.grid if name != "width")
+    rows = search(
+        partial(_score_widths, candidates, mixture),
+        folds(train, validation, groups=groups),
+        candidates.settings(*once, "width"),
+        score="validation_log_likelihood",
+        fitted_once=once,
+        description="choosing density baseline",
+    )
+    chosen = best(rows, "validation_log_likelihood")
+    everything = Fold(train, ())
+    baseline = candidates.create(**settings_of(chosen, (*once, "width")))
+    return baseline.fit(everything.z, everything.x, mixture)
 
 
-def _joined(examples: Examples) -> tuple[Array, Array]:
-    z, x = (np.concatenate(part) for part in zip(*examples, strict=True))
-    return z, x
+def _score_widths(
+    candidates: Candidates[DensityBaseline],
+    mixture: MixtureOfRegressors,
+    fold: Fold,
+    settings: Sequence[Settings],
+) -> list[Outcome]:
+    """Score settings that differ in their width only, by the log-likelihood of held-out frames."""
+    baseline = candidates.create(**settings[0]).fit(fold.z, fold.x, mixture)
+    widths: list[Any] = [setting["width"] for setting in settings]
+    found = baseline.log_likelihoods_by_width(fold.z_validation, fold.x_validation, widths)
+    return [Outcome.of(values.mean()) for values in found]

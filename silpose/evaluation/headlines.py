@@ -1,10 +1,11 @@
-"""Which values are a run's headlines, and how they are told in a table."""
+"""Headline metrics of a run: their order, titles and formats in a table."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 Results = Mapping[str, Mapping[str, float]]
+"""Values by method, then by name."""
 
 HEADLINES: Mapping[str, tuple[str, str]] = {
     "mean_angular_error_deg": ("angles", "{:.2f}°"),
@@ -14,7 +15,7 @@ HEADLINES: Mapping[str, tuple[str, str]] = {
     "mpjpe_mm": ("joints", "{:.0f} mm"),
     "log_likelihood": ("log-likelihood", "{:.1f}"),
     "frames": ("frames", "{:.0%}"),
-    "frames_by_neighbours": ("frames, by like silhouettes", "{:.0%}"),
+    "frames_by_neighbours": ("frames, by similar silhouettes", "{:.0%}"),
     "frames_by_modes": ("frames, by modes", "{:.0%}"),
     "found_by_modes": ("found", "{:.0%}"),
     "error_of_first": ("error of mode 1", "{:.2f}"),
@@ -26,9 +27,9 @@ HEADLINES: Mapping[str, tuple[str, str]] = {
     "kept": ("kernels", "{:.0%}"),
     "extinct": ("frames extinct", "{:.0%}"),
     "widest_error": ("worst widths", "{:.2f}"),
-    "locked_on": ("starts that lock on", "{:.0%}"),
+    "locked_on": ("starts locked on", "{:.0%}"),
     "within_20deg": ("heading within 20°", "{:.0%}"),
-    "back_after_blank": ("back after blank masks", "{:.0%}"),
+    "back_after_blank": ("recovered after blank masks", "{:.0%}"),
     "back_after_cut": ("after a cut", "{:.0%}"),
     "whole_error": ("whole", "{:.2f}"),
     "gain_lost": ("gain lost", "{:.0%}"),
@@ -43,7 +44,19 @@ HEADLINES: Mapping[str, tuple[str, str]] = {
 
 
 def headlines(results: Results) -> tuple[list[str], list[list[str]]]:
-    """Lay results out as a table: titles, and for each method a row of its name and its values."""
+    """Lay results out as a table.
+
+    Parameters
+    ----------
+    results : mapping
+        Values by method, then by name.
+
+    Returns
+    -------
+    titles : list of str
+    rows : list of list of str
+        For each method its name and its values.
+    """
     present = {name for values in results.values() for name in values}
     shown = {name: column for name, column in HEADLINES.items() if name in present}
     rows = [

@@ -1,7 +1,7 @@
-"""Measures of how far estimated poses are from the true ones.
+"""Errors of estimated poses.
 
-Each takes the pose space, true and estimated poses ``(F, D)`` and the training poses ``(n, D)``
-(only to know which angles move), and returns one number.
+Each metric takes the pose space, true and estimated poses ``(F, D)`` and the training poses
+``(n, D)`` (only to know which angles move), and returns one number.
 """
 
 from __future__ import annotations
@@ -11,10 +11,11 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.core.pose_space import AnglePoseSpace, PoseSpace, wrap_degrees
+from silpose.core.pose_space import PoseSpace
 from silpose.core.skeleton import JOINTS
+from silpose.core.types import Array
+from silpose.evaluation.heading import HEADING_LIMIT_DEG, heading_errors
 
-Array = NDArray[np.float64]
 Metric = Callable[[PoseSpace, Array, Array, Array], float]
 
 LIMB_JOINTS = [
@@ -26,7 +27,7 @@ _MOVING_DEG = 1.0  # an angle moves if its standard deviation in training is lar
 
 
 def measure(space: PoseSpace, true: Array, estimated: Array, training: Array) -> dict[str, float]:
-    """Take every measure that makes sense in this pose space.
+    """Evaluate every metric that this pose space has.
 
     Parameters
     ----------
@@ -40,11 +41,6 @@ def measure(space: PoseSpace, true: Array, estimated: Array, training: Array) ->
         By the metric's name, the reported one first.
     """
     return {name: float(METRICS[name](space, true, estimated, training)) for name in space.metrics}
-
-
-def heading_errors(space: PoseSpace, true: Array, estimated: Array) -> Array:
-    """Absolute differences of the headings, degrees, shape (F,)."""
-    return np.abs(wrap_degrees(space.heading(true) - space.heading(estimated)))
 
 
 def joint_distances(space: PoseSpace, true: Array, estimated: Array) -> Array:
@@ -72,8 +68,8 @@ def procrustes_distances(space: PoseSpace, true: Array, estimated: Array) -> Arr
     return 1000 * np.linalg.norm(target - aligned, axis=-1)
 
 
-def moving_angles(space: AnglePoseSpace, training: Array) -> NDArray[np.bool_]:
-    """Tell which of the 54 angles vary by more than a degree in training, shape (54,)."""
+def moving_angles(space: PoseSpace, training: Array) -> NDArray[np.bool_]:
+    """Angles that vary by more than a degree in training, shape (A,); the heading is the first."""
     moving = space.angles(training).std(axis=0) > _MOVING_DEG
     resultant = float(np.linalg.norm(training[:, :2].mean(axis=0)))  # the heading is on a circle
     moving[0] = np.sqrt(max(-2 * np.log(max(resultant, 1e-12)), 0)) > np.deg2rad(_MOVING_DEG)
@@ -81,17 +77,14 @@ def moving_angles(space: AnglePoseSpace, training: Array) -> NDArray[np.bool_]:
 
 
 def _mean_angular(space: PoseSpace, true: Array, estimated: Array, training: Array) -> float:
-    assert isinstance(space, AnglePoseSpace)
     return space.angle_errors(true, estimated).mean()
 
 
 def _moving_angular(space: PoseSpace, true: Array, estimated: Array, training: Array) -> float:
-    assert isinstance(space, AnglePoseSpace)
     return space.angle_errors(true, estimated)[:, moving_angles(space, training)].mean()
 
 
 def _rms_angular(space: PoseSpace, true: Array, estimated: Array, training: Array) -> float:
-    assert isinstance(space, AnglePoseSpace)
     return np.sqrt((space.angle_errors(true, estimated) ** 2).mean(axis=0)).mean()
 
 
@@ -107,7 +100,7 @@ METRICS: Mapping[str, Metric] = {
     "heading_mean_deg": lambda s, t, e, _: heading_errors(s, t, e).mean(),
     "heading_median_deg": lambda s, t, e, _: float(np.median(heading_errors(s, t, e))),
     "heading_rms_deg": lambda s, t, e, _: np.sqrt((heading_errors(s, t, e) ** 2).mean()),
-    "heading_over_20deg": lambda s, t, e, _: (heading_errors(s, t, e) > 20).mean(),
+    "heading_over_20deg": lambda s, t, e, _: (heading_errors(s, t, e) > HEADING_LIMIT_DEG).mean(),
     "mpjpe_mm": lambda s, t, e, _: joint_distances(s, t, e).mean(),
     "pa_mpjpe_mm": lambda s, t, e, _: procrustes_distances(s, t, e).mean(),
 }

@@ -1,4 +1,4 @@
-"""How two explanations of one silhouette differ: Fig. 1 of the paper."""
+"""Differences of two poses that explain one silhouette: Fig. 1 of the paper."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace
 from silpose.core.skeleton import other_side
-from silpose.evaluation import heading_errors, thigh_swing
+from silpose.core.types import Array
+from silpose.evaluation.heading import heading_errors
+from silpose.evaluation.thigh_swing import thigh_swing
 
-Array = NDArray[np.float64]
 Kinds = NDArray[np.str_]
 
 KINDS = ("turned", "legs swapped", "other")
@@ -19,7 +20,12 @@ MIRRORED = 0.5  # a pose is mirrored if it is this many times as near to the mir
 
 
 def differences(space: PoseSpace, x: Array, other: Array) -> dict[str, NDArray[np.bool_]]:
-    """Tell in which ways poses ``x (n, D)`` differ from others.
+    """Ways in which poses differ from others.
+
+    Parameters
+    ----------
+    space : PoseSpace
+    x, other : ndarray, shape (n, D)
 
     Returns
     -------
@@ -43,15 +49,24 @@ def differences(space: PoseSpace, x: Array, other: Array) -> dict[str, NDArray[n
 
 
 def kinds_of(space: PoseSpace, x: Array, other: Array) -> Kinds:
-    """Say how poses (n, D) differ from others, in one word of `KINDS`."""
+    """Classify how poses (n, D) differ from others by one of `KINDS`, shape (n,)."""
     differ = differences(space, x, other)
     return np.where(differ[KINDS[0]], KINDS[0], np.where(differ[KINDS[1]], KINDS[1], KINDS[2]))
 
 
 def depth_mirrored(space: PoseSpace, x: Array) -> Array:
-    """Joints (n, J, 3) of who casts the same silhouette: left for right, near for far.
+    """Joints of the pose mirrored in the image plane, left for right, near for far.
 
     From afar a silhouette does not tell on which side of the image plane a limb is.
+
+    Parameters
+    ----------
+    space : PoseSpace
+    x : ndarray, shape (n, D)
+
+    Returns
+    -------
+    joints : ndarray, shape (n, J, 3)
     """
     names = space.joint_names
     other = [names.index(other_side(name)) for name in names]

@@ -1,40 +1,43 @@
-"""Experiments: one file each, a short story that calls the rooms in order."""
+"""Experiments, one module and one function each: what the paper shows, and what it leaves open.
 
-from collections.abc import Callable
+Each takes `Components` and its own parameters and returns a `silpose.recording.Result`. A module
+is imported when its experiment is asked for.
+"""
 
-from silpose.experiments.ambiguity import ambiguity
-from silpose.experiments.bridges import bridges
-from silpose.experiments.contact_sheet import contact_sheet
-from silpose.experiments.damping import damping
-from silpose.experiments.descriptor_choices import descriptor_choices
-from silpose.experiments.descriptor_robustness import descriptor_robustness
-from silpose.experiments.descriptor_space import descriptor_space
-from silpose.experiments.extinction import extinction
-from silpose.experiments.feature_selection import feature_selection
-from silpose.experiments.hypotheses import hypotheses
-from silpose.experiments.initialisation import initialisation
-from silpose.experiments.kernel_widths import kernel_widths
-from silpose.experiments.lookalikes import lookalikes
-from silpose.experiments.mixture import mixture
-from silpose.experiments.parts import parts
-from silpose.experiments.predict import predict
-from silpose.experiments.regressors import regressors
-from silpose.experiments.setup import Components, OwnMasks
-from silpose.experiments.similarity import similarity
-from silpose.experiments.single_image import single_image
-from silpose.experiments.tracking import tracking
-from silpose.experiments.training_data import training_data
-from silpose.model.descriptor_cache import DescriptorCache
+from __future__ import annotations
 
-EXPERIMENTS: dict[str, Callable[..., None]] = {
-    experiment.__name__: experiment
-    for experiment in (
-        *(single_image, predict, contact_sheet, lookalikes, training_data),
-        *(descriptor_space, similarity, descriptor_robustness, descriptor_choices),
-        *(bridges, parts, feature_selection, regressors),
-        *(tracking, extinction, damping, kernel_widths, initialisation),
-        *(mixture, ambiguity, hypotheses),
-    )
-}
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
+from typing import TYPE_CHECKING
 
-__all__ = ["EXPERIMENTS", "Components", "DescriptorCache", "OwnMasks"]
+if TYPE_CHECKING:
+    from silpose.recording import Result
+
+NAMES = (
+    *("single_image", "predict", "contact_sheet", "lookalikes", "training_data"),
+    *("descriptor_space", "similarity", "descriptor_robustness", "descriptor_choices"),
+    *("bridges", "parts", "feature_selection", "regressors"),
+    *("tracking", "extinction", "damping", "kernel_widths", "initialisation"),
+    *("mixture", "ambiguity", "hypotheses"),
+)
+
+
+class _Experiments(Mapping[str, "Callable[..., Result]"]):
+    """Experiments by name: module and function share it."""
+
+    def __getitem__(self, name: str) -> Callable[..., Result]:
+        if name not in NAMES:
+            raise KeyError(name)
+        experiment: Callable[..., Result] = getattr(import_module(f"{__name__}.{name}"), name)
+        return experiment
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(NAMES)
+
+    def __len__(self) -> int:
+        return len(NAMES)
+
+
+EXPERIMENTS: Mapping[str, Callable[..., Result]] = _Experiments()
+
+__all__ = ["EXPERIMENTS"]

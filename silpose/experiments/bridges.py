@@ -2,66 +2,60 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from functools import partial
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-from silpose.core.errors import InputError
-from silpose.experiments.setup import Components
-from silpose.model.training import prepare
-from silpose.recording import record_bridges
-from silpose.recording.runs.run_folder import Run
+from silpose.core.parameters import POSITIVE, check_values
+from silpose.core.stages import stage
+from silpose.core.types import Array, Indices
+from silpose.experiments.figures import ESTIMATED, TRUE
+from silpose.experiments.setup import Components, prepare
+from silpose.recording import Recording, Result, record_bridges
 from silpose.regression import follow_bridges
 
-Array = NDArray[np.float64]
 
-
-def bridges(rooms: Components, run: Run, nu: float, width: float) -> None:
+def bridges(components: Components, *, nu: float = 32, width: float = 2) -> Result:
     """Follow one RVM from its first ridge regression to convergence, column by column.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    nu, width : float
-        ν, and the factor of the kernels' width.
+    components : Components
+    nu : float, default=32
+        Strength of the sparsity prior, ν.
+    width : float, default=2
+        Factor of the kernels' width.
     """
-    if nu <= 0 or width <= 0:
-        raise InputError(f"nu and width must be positive, not {nu} and {width}")
-    described = prepare(rooms, run)
-    z, x = (np.concatenate(part) for part in zip(*described.train, strict=True))
-    with run.stage("regression"):
-        steps = follow_bridges(rooms.candidates.basis.basis(width), z, x, nu)
-    kept = np.array([np.count_nonzero(step) for step in steps.norms])
+    check_values("nu", POSITIVE, nu)
+    check_values("width", POSITIVE, width)
+    described = prepare(components)
+    z, x = described.joined("train")
+    with stage("regression"):
+        path = follow_bridges(components.regression.basis.create(width=width), z, x, nu)
+    kept = np.array([np.count_nonzero(norms) for norms in path.norms])
     metrics = {
         "rvm": {
             "nu": nu,
-            "iterations": len(steps.objective),
+            "iterations": len(path.objective),
             "functions_kept": float(kept[-1]),
-            "kept": float(kept[-1] / steps.norms.shape[1]),
+            "kept": float(kept[-1] / path.norms.shape[1]),
         }
     }
-    with run.writing("bridges.png") as path:
-        _figure(path, nu, steps.objective, kept, steps.norms)
-    record_bridges(
-        run.header("sparsity, iteration by iteration", metrics),
-        run.folder / "bridges.png",
-        steps.norms,
-        steps.objective,
-    )
-    run.write_settings()
-    run.write_results(
-        [
+    record = partial(record_bridges, norms=path.norms, objective=path.objective)
+    return Result(
+        described.data.name,
+        metrics,
+        rows=[
             {"iteration": k, "functions_kept": int(n), "objective": float(value)}
-            for k, (n, value) in enumerate(zip(kept, steps.objective, strict=True), start=1)
-        ]
+            for k, (n, value) in enumerate(zip(kept, path.objective, strict=True), start=1)
+        ],
+        figure=_figure(nu, path.objective, kept, path.norms),
+        recording=Recording("sparsity, iteration by iteration", record),
     )
-    run.write_metrics(described.data.name, rooms.seed, metrics)
 
 
-def _figure(path: Path, nu: float, objective: Array, kept: Array, norms: Array) -> None:
+def _figure(nu: float, objective: Array, kept: Indices, norms: Array) -> Figure:
     figure = Figure(figsize=(11, 3.8), layout="constrained")
     bridge, progress, columns = figure.subplots(1, 3)
     a = np.linspace(0.02, 2.5, 300)
@@ -73,13 +67,13 @@ def _figure(path: Path, nu: float, objective: Array, kept: Array, norms: Array) 
     bridge.set(ylim=(-4, 2), xlabel="‖a‖", title="the penalty and its bridges")
     bridge.legend(fontsize=8)
     iterations = np.arange(1, len(kept) + 1)
-    progress.plot(iterations, objective, color="tab:blue")
+    progress.plot(iterations, objective, color=TRUE)
     progress.set(xlabel="iteration", title=f"ν = {nu:g}: {kept[-1]} of {norms.shape[1]} kept")
-    progress.set_ylabel("objective (Eq. 5) of the columns left", color="tab:blue")
+    progress.set_ylabel("objective (Eq. 5) of the columns left", color=TRUE)
     counts = progress.twinx()
-    counts.semilogy(iterations, kept, color="tab:orange")
-    counts.set_ylabel("columns left", color="tab:orange")
+    counts.semilogy(iterations, kept, color=ESTIMATED)
+    counts.set_ylabel("columns left", color=ESTIMATED)
     with np.errstate(divide="ignore"):
         columns.plot(iterations, np.log10(norms[:, :: max(1, norms.shape[1] // 150)]), lw=0.5)
     columns.set(xlabel="iteration", ylabel="log10 ‖a‖", title="columns, one line each")
-    figure.savefig(path, dpi=120, format="png")
+    return figure

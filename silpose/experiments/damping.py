@@ -1,73 +1,81 @@
-"""How much to believe the dynamics: C = sI for several s. Section V-A of the paper, Fig. 13."""
+"""How far to follow the dynamics: C = sI for several s. Section V-A of the paper, Fig. 13."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
+from functools import partial
 
-import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-from silpose.core.errors import InputError
-from silpose.evaluation import measure
-from silpose.experiments.setup import Components
-from silpose.model.tracker_training import learn_to_track
-from silpose.model.training import tidy
-from silpose.recording import record_study
-from silpose.recording.runs.run_folder import Run
-from silpose.tracking import GIVEN
+from silpose.core.parallel import parallel_map
+from silpose.core.parameters import FROM_0_TO_1, check_values
+from silpose.core.stages import stage
+from silpose.core.types import Metrics
+from silpose.experiments.figures import ESTIMATED, TRUE, in_words
+from silpose.experiments.setup import Components, prepare_tracking, tidy
+from silpose.model import TrackerTraining
+from silpose.recording import Recording, Result, record_study
+from silpose.tracking import Estimate, SinglePoseTracker
 
-Array = NDArray[np.float64]
+FULL = "full C"
 
 
-def damping(rooms: Components, run: Run, values: Sequence[float]) -> None:
+def damping(
+    components: Components, *, values: Sequence[float] = (0, 0.7, 0.8, 0.85, 0.9, 0.95, 0.98, 1)
+) -> Result:
     """Track with the paper's regressor under several linear terms.
+
+    The two poses that it is given count for none of them.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    values : sequence of float
-        The s to try; the full matrix C stands beside them.
+    components : Components
+    values : sequence of float, default=(0, 0.7, 0.8, 0.85, 0.9, 0.95, 0.98, 1)
+        Damping factors s; the full matrix C stands beside them.
     """
-    if not values or not all(0 <= s <= 1 for s in values):
-        raise InputError(f"values are damping factors s from 0 to 1, not {list(values)}")
-    learnt = learn_to_track(rooms, run)
-    described, space = learnt.described, learnt.described.data.space
-    x_train = np.concatenate([x for _, x in described.train])
-    metrics: dict[str, dict[str, float]] = {}
-    series: dict[str, Array] = {}
-    with run.stage("tracking"):
-        for s in [*sorted(values), None]:
-            name = "full C" if s is None else f"s={s:g}"
-            tracker = learnt.joint_with(linear=s)
-            tracks = [tracker.track(z, x[:GIVEN])[0] for z, x in described.test]
-            true = np.concatenate([x for _, x in described.test])
-            metrics[name] = measure(space, true, np.concatenate(tracks), x_train)
-            series[name] = space.distance(described.test[0][1], tracks[0])
-    with run.writing("damping.png") as path:
-        _figure(path, sorted(values), metrics, space.metrics[0])
-    record_study(
-        run.header("C = sI, and the full matrix C", metrics),
-        run.folder / "damping.png",
-        series,
-        f"{space.metrics[0].replace('_', ' ')} on the first test sequence",
-        described.data.test[0].frames_per_second,
+    check_values("values", FROM_0_TO_1, *values)
+    training = prepare_tracking(components)
+    with stage("tracking"):
+        linear = {f"s={s:g}": s for s in sorted(values)} | {FULL: None}
+        trackers = parallel_map(
+            partial(_tracker, training), list(linear.values()), description="C", prefer="threads"
+        )
+        estimates = map(_estimate, trackers)
+        tracks = training.follow(dict(zip(linear, estimates, strict=True)))
+    metrics = training.measure(tracks)
+    data = training.described.data
+    take, space = data.test[0], data.space
+    record = partial(
+        record_study,
+        series={name: space.distance(take.x, of_takes[0]) for name, of_takes in tracks.items()},
+        title=f"{in_words(space.metrics[0])} on the first test take",
+        frames_per_second=take.frames_per_second,
     )
-    run.write_settings()
-    run.write_results([*learnt.selection.rows, *tidy(metrics)])
-    run.write_metrics(described.data.name, rooms.seed, metrics)
+    headline = training.validation_error("state_sensitive")
+    return Result(
+        data.name,
+        metrics,
+        rows=[*training.selection.rows, *tidy(metrics)],
+        figure=_figure(sorted(values), metrics, space.metrics[0]),
+        recording=Recording("C = sI, and the full matrix C", record),
+        headline=headline,
+    )
 
 
-def _figure(
-    path: Path, values: Sequence[float], metrics: dict[str, dict[str, float]], metric: str
-) -> None:
+def _tracker(training: TrackerTraining, linear: float | None) -> SinglePoseTracker:
+    return training.state_sensitive_with(linear=linear)
+
+
+def _estimate(tracker: SinglePoseTracker) -> Estimate:
+    return lambda z, start: tracker.track(z, start).x
+
+
+def _figure(values: Sequence[float], metrics: Metrics, metric: str) -> Figure:
     figure = Figure(figsize=(7, 4), layout="constrained")
     axes = figure.subplots()
     errors = [metrics[f"s={s:g}"][metric] for s in values]
-    axes.plot(values, errors, "o-", label="C = sI")
-    axes.axhline(metrics["full C"][metric], color="tab:orange", ls="--", label="full C")
-    axes.set(xlabel="damping factor s", ylabel=metric.replace("_", " "), ylim=(0, None))
+    axes.plot(values, errors, "o-", color=TRUE, label="C = sI")
+    axes.axhline(metrics[FULL][metric], color=ESTIMATED, ls="--", label=FULL)
+    axes.set(xlabel="damping factor s", ylabel=in_words(metric), ylim=(0, None))
     axes.legend()
-    figure.savefig(path, dpi=120, format="png")
+    return figure

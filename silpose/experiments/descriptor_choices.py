@@ -1,4 +1,4 @@
-"""Which choices of the descriptor matter? Section II-A of the paper.
+"""Which parameters of the descriptor matter? Section II-A of the paper.
 
 "Other centre selection methods give similar results", it says, and that Euclidean distance
 suffices; beside these the codebook's size, the voting, the radius.
@@ -8,163 +8,163 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
+from functools import partial
+from itertools import product
 from time import perf_counter
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 from sklearn.base import clone
 
 from silpose.core.errors import InputError
 from silpose.core.progress import bar
+from silpose.core.stages import stage
+from silpose.core.types import Array, Metrics, Row, Settings
 from silpose.dataset import Dataset, poses
+from silpose.experiments.figures import ESTIMATED, TRUE, in_words
 from silpose.experiments.setup import Components, want_masks
-from silpose.model.describe import examples, learn_descriptor
-from silpose.model.training import DescribedDataset
-from silpose.recording import record_study
-from silpose.recording.runs.run_folder import Run
+from silpose.model import DescribedDataset, describe_takes, fit_descriptor
+from silpose.recording import Recording, Result, record_study
 
-Array = NDArray[np.float64]
-Rows = list[dict[str, object]]
+HELLINGER, USUAL = "hellinger", "usual"
 
-HELLINGER, REGRESSION = "hellinger", "ridge"
+Choices = Mapping[str, Sequence[int | float | str | bool | None]]
 
 
 def descriptor_choices(
-    rooms: Components, run: Run, choices: dict[str, list[object]], seeds: list[int]
-) -> None:
-    """Vary one choice at a time, and see what it does to the error of kernel ridge regression.
+    components: Components, *, choices: Choices, seeds: Sequence[int] = (0,)
+) -> Result:
+    """Vary one parameter at a time, and measure the error of kernel ridge regression.
 
-    Choose by the validation error; the test error says what came of it.
+    Choose by the validation error; the test error shows what comes of it.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    choices : dict of str to list
-        Values of each of the descriptor's parameters, and of ``hellinger``; without any values
-        a parameter is left out.
-    seeds : list of int
-        Of the codebooks.
+    components : Components
+    choices : mapping of str to sequence
+        Values of each of the descriptor's parameters, and of ``hellinger``: square roots of the
+        histogram or not. A parameter without values stays as it is.
+    seeds : sequence of int, default=(0,)
+        Seeds of the codebooks; several show which differences are real.
     """
-    usual = {**rooms.descriptor.get_params(), HELLINGER: rooms.candidates.basis.hellinger}
+    usual = {
+        **components.descriptor.get_params(),
+        HELLINGER: components.regression.basis.estimator.hellinger,
+    }
     if unknown := [name for name in choices if name not in usual]:
         raise InputError(f"the descriptor has no '{unknown[0]}'; it has {', '.join(usual)}")
     choices = {name: values for name, values in choices.items() if values}
     if not choices or not seeds:
-        raise InputError("there is nothing to choose: name choices and seeds")
-    with run.stage("masks"):
-        data = rooms.dataset()
-        want_masks([*data.train, *data.validation, *data.test], run)
-    tried: list[tuple[dict[str, object], str, object]] = [({}, "usual", None)]
-    tried += [
-        ({name: value}, name, value)
-        for name, values in choices.items()
-        for value in values
-        if value != usual[name]
-    ]
-    rows: Rows = []
+        raise InputError("there is nothing to vary: give values in choices, and seeds")
+    data = components.load()
+    want_masks([*data.train, *data.validation, *data.test], "descriptor_choices")
+    tried: list[tuple[str, object]] = [(USUAL, None)]
+    tried += [(n, value) for n, values in choices.items() for value in values if value != usual[n]]
+    rows: list[Row] = []
     series: dict[str, Array] = {}
-    with run.stage("choices"), bar("choices", len(tried) * len(seeds)) as advance:
-        for change, name, value in tried:
-            for seed in seeds:
-                errors, validation_error, rate = _try(rooms, data, change, seed)
-                rows.append(
-                    {"choice": name, "value": value, "seed": seed}
-                    | {"validation_error": validation_error, "test_error": float(errors.mean())}
-                    | {"masks_per_second": rate}
-                )
-                series.setdefault(_called(name, value), errors[: len(data.test[0])])
-                advance(1)
+    with stage("choices"), bar("choices", len(tried) * len(seeds)) as advance:
+        for (name, value), seed in product(tried, seeds):
+            change = {} if name == USUAL else {name: value}
+            errors, measured = _try(components, data, change, seed)
+            rows.append({"choice": name, "value": value, "seed": seed, **measured})
+            series.setdefault(_label(name, value), errors[: len(data.test[0])])
+            advance(1)
     metrics = _means(rows)
+    best = min(metrics, key=lambda name: metrics[name]["validation_error"])
+    headline = metrics[best]["validation_error"]
     space = data.space
     mean_pose = poses(data.train).mean(axis=0)[None]
     metrics["mean_pose"] = {"test_error": float(space.distance(poses(data.test), mean_pose).mean())}
-    with run.writing("descriptor_choices.png") as path:
-        _figure(path, rows, choices, usual, space.metrics[0].replace("_", " "))
-    best = min(metrics, key=lambda name: metrics[name].get("validation_error", np.inf))
-    shown = {"usual": series["usual"], best: series[best]}
-    record_study(
-        run.header("one choice at a time, kernel ridge regression", metrics),
-        run.folder / "descriptor_choices.png",
-        shown,
-        f"{space.metrics[0].replace('_', ' ')}: the usual choices, and the best on validation",
-        data.test[0].frames_per_second,
+    record = partial(
+        record_study,
+        series={USUAL: series[USUAL], best: series[best]},
+        title=f"{in_words(space.metrics[0])}: the usual values, and the best on validation",
+        frames_per_second=data.test[0].frames_per_second,
     )
-    run.write_settings()
-    run.write_results(rows)
-    run.write_metrics(data.name, rooms.seed, metrics)
+    return Result(
+        data.name,
+        metrics,
+        rows=rows,
+        figure=_figure(rows, choices, usual, in_words(space.metrics[0])),
+        recording=Recording("one parameter at a time, kernel ridge regression", record),
+        headline=headline,
+    )
 
 
 def _try(
-    rooms: Components, data: Dataset, change: dict[str, object], seed: int
-) -> tuple[Array, float, float]:
-    """Errors on every test frame, the error on validation, and masks described in a second."""
+    components: Components, data: Dataset, change: Settings, seed: int
+) -> tuple[Array, dict[str, float]]:
+    """Error on every test frame; mean errors, and masks described in a second."""
     own = {name: value for name, value in change.items() if name != HELLINGER}
-    descriptor = clone(rooms.descriptor).set_params(**own, random_state=seed)
-    fitted = learn_descriptor(descriptor, data.train)
+    descriptor = clone(components.descriptor).set_params(**own, random_state=seed)
+    fitted = fit_descriptor(descriptor, data.train)
     started = perf_counter()
-    parts = [examples(fitted, part) for part in (data.train, data.validation, data.test)]
+    parts = [describe_takes(fitted, part) for part in (data.train, data.validation, data.test)]
     seconds = perf_counter() - started
     described = DescribedDataset(data, fitted, *parts)
-    usual = rooms.candidates.basis
-    basis = replace(usual, hellinger=bool(change.get(HELLINGER, usual.hellinger)))
-    chosen = described.learn(replace(rooms.candidates, basis=basis), [REGRESSION])
-    z, true = (np.concatenate(part) for part in zip(*described.test, strict=True))
-    errors = data.space.distance(true, chosen.regressors[REGRESSION].predict(z))
-    best = min(float(str(row["validation_error"])) for row in chosen.rows)
-    return errors, best, sum(len(z) for part in parts for z, _ in part) / seconds
+    roots = {name: value for name, value in change.items() if name == HELLINGER}
+    basis = components.regression.basis.with_parameters(**roots)
+    regression = replace(components.regression, basis=basis)
+    chosen = described.choose(regression, ["ridge"])
+    z, true = described.joined("test")
+    errors = data.space.distance(true, chosen.regressors["ridge"].predict(z))
+    return errors, {
+        "validation_error": chosen.validation_error("ridge"),
+        "test_error": float(errors.mean()),
+        "masks_per_second": sum(len(z) for part in parts for z, _ in part) / seconds,
+    }
 
 
-def _called(name: str, value: object) -> str:
-    return name if name == "usual" else f"{name}={'all' if value is None else value}"
+def _label(name: str, value: object) -> str:
+    return name if name == USUAL else f"{name}={'all' if value is None else value}"
 
 
-def _means(rows: Rows) -> dict[str, dict[str, float]]:
+def _means(rows: Sequence[Row]) -> Metrics:
     """Mean errors over the seeds, by choice."""
-    means: dict[str, dict[str, float]] = {}
-    for called in dict.fromkeys(_called(str(row["choice"]), row["value"]) for row in rows):
-        own = [row for row in rows if _called(str(row["choice"]), row["value"]) == called]
-        means[called] = {
-            error: float(np.mean([float(str(row[error])) for row in own]))
+    by_label: dict[str, list[Row]] = {}
+    for row in rows:
+        by_label.setdefault(_label(row["choice"], row["value"]), []).append(row)
+    return {
+        label: {
+            error: float(np.mean([row[error] for row in own]))
             for error in ("validation_error", "test_error")
         }
-    return means
+        for label, own in by_label.items()
+    }
 
 
-def _figure(
-    path: Path,
-    rows: Rows,
-    choices: Mapping[str, Sequence[object]],
-    usual: Mapping[str, object],
-    unit: str,
-) -> None:
-    figure = Figure(figsize=(12, 3.2 * np.ceil(len(choices) / 4)), layout="constrained")
-    grid = figure.subplots(int(np.ceil(len(choices) / 4)), 4, sharey=True, squeeze=False).ravel()
+def _figure(rows: Sequence[Row], choices: Choices, usual: Settings, unit: str) -> Figure:
+    lines = -(-len(choices) // 4)
+    figure = Figure(figsize=(12, 3.2 * lines), layout="constrained")
+    grid = figure.subplots(lines, 4, sharey=True, squeeze=False).ravel()
     for axes, (name, values) in zip(grid, choices.items(), strict=False):
-        for error, colour, shift in (
-            ("validation_error", "tab:blue", -0.08),
-            ("test_error", "tab:orange", 0.08),
-        ):
-            spots = []
-            for value in values:
-                key = ("usual", None) if value == usual[name] else (name, value)
-                own = [row for row in rows if (row["choice"], row["value"]) == key]
-                spots.append([float(str(row[error])) for row in own])
-            places = np.arange(len(values)) + shift
-            label = error.replace("_", " ")
-            axes.plot(places, [np.mean(spot) for spot in spots], "-", color=colour, label=label)
-            for place, spot in zip(places, spots, strict=True):
-                axes.plot([place] * len(spot), spot, ".", color=colour, ms=5)
-        names = ["all" if value is None else str(value) for value in values]
-        axes.set_xticks(range(len(values)), names, fontsize=8)
+        keys = [(USUAL, None) if value == usual[name] else (name, value) for value in values]
+        own = [[row for row in rows if (row["choice"], row["value"]) == key] for key in keys]
+        _plot_choice(axes, own)
+        axes.set_xticks(range(len(values)), ["all" if v is None else str(v) for v in values])
         for tick, value in zip(axes.get_xticklabels(), values, strict=True):
-            tick.set_fontweight("bold" if value == usual[name] else "normal")
-        axes.set_title(name.replace("_", " "), fontsize=10)
+            tick.set(fontsize=8, fontweight="bold" if value == usual[name] else "normal")
+        axes.set_title(in_words(name), fontsize=10)
     for axes in grid[len(choices) :]:
         axes.axis("off")
     grid[0].legend(fontsize=8)
     figure.supylabel(unit, fontsize=9)
-    figure.suptitle("one choice at a time; bold: the usual one; a dot per codebook", fontsize=10)
-    figure.savefig(path, dpi=110, format="png")
+    figure.suptitle(
+        "one parameter at a time; bold: the usual value; a dot per codebook", fontsize=10
+    )
+    return figure
+
+
+def _plot_choice(axes: Axes, by_value: Sequence[Sequence[Row]]) -> None:
+    """Plot errors over one parameter's values, whose rows these are."""
+    for error, colour, shift in (
+        ("validation_error", TRUE, -0.08),
+        ("test_error", ESTIMATED, 0.08),
+    ):
+        errors = [[row[error] for row in own] for own in by_value]
+        places = np.arange(len(errors)) + shift
+        means = [np.mean(own) for own in errors]
+        axes.plot(places, means, "-", color=colour, label=in_words(error))
+        for place, own in zip(places, errors, strict=True):
+            axes.plot([place] * len(own), own, ".", color=colour, ms=5)

@@ -1,35 +1,39 @@
 """Does the descriptor survive local segmentation errors and occlusion? Section II-A of the paper.
 
-The histogram of shape contexts beside what people would use instead, Hu's moments and principal
-components of the aligned mask, with the same regressor behind all three: taught by whole or by
-damaged silhouettes, tested on damaged ones.
+The histogram of shape contexts beside common alternatives, Hu's moments and principal components
+of the aligned mask, with the same regressor behind all three: trained on clean or on degraded
+silhouettes, tested on degraded ones.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 from sklearn.base import clone
 
 from silpose.core.errors import InputError
+from silpose.core.parameters import POSITIVE_INTEGER, check_values
+from silpose.core.stages import stage
+from silpose.core.types import Array, Mask, Metrics, Row
 from silpose.dataset import Dataset
 from silpose.descriptor import AlignedMask, HuMoments
-from silpose.experiments.descriptor_robustness_figure import TAUGHT, Masks, Rows, robustness_figure
-from silpose.experiments.setup import Components, masks_of, studio_of
-from silpose.model.describe import Descriptor, examples
-from silpose.model.training import DescribedDataset, compare
-from silpose.recording import record_study
-from silpose.recording.runs.run_folder import Run
-from silpose.regression import Candidates, Regressor
+from silpose.experiments.descriptor_robustness_figure import (
+    TRAINED_ON_DEGRADED,
+    descriptor_robustness_figure,
+)
+from silpose.experiments.figures import in_words
+from silpose.experiments.setup import Components, renderer_of
+from silpose.model import DescribedDataset, compare, describe_takes
+from silpose.model.describe import Descriptor
+from silpose.recording import Header, Recording, Result, record_study
+from silpose.regression import RegressionCandidates, Regressor
 from silpose.silhouette import Degradation, contour_damage, degrade
 
-Array = NDArray[np.float64]
-
-OURS, REGRESSION = "shape_contexts", "ridge"
+SHAPE_CONTEXTS, METHOD = "shape_contexts", "ridge"
 
 
 @dataclass(frozen=True)
@@ -39,117 +43,141 @@ class Pipeline:
     descriptor: Descriptor
     regressor: Regressor
 
-    def estimate(self, masks: Sequence[NDArray[np.uint8]]) -> Array:
+    def estimate(self, masks: Sequence[Mask]) -> Array:
         """Pose of each mask, shape (n, D)."""
         return self.regressor.predict(self.descriptor.transform(masks))
 
 
 def descriptor_robustness(
-    rooms: Components,
-    run: Run,
-    kinds: list[str],
-    strengths: list[float],
-    taught: float,
-    damage: float,
-    every: int,
-) -> None:
-    """Degrade the test silhouettes, each kind at rising strength, and see what is left.
+    components: Components,
+    *,
+    kinds: Sequence[str] = (
+        "boundary_noise",
+        "holes",
+        "missing_limb",
+        "swollen_limb",
+        "shadow",
+        "horizontal_occluder",
+        "vertical_occluder",
+        "low_resolution",
+        "frame_cut",
+    ),
+    strengths: Sequence[float] = (0.1, 0.2, 0.4, 0.7, 1),
+    training_strength: float = 0.6,
+    damage: float = 0.2,
+    every: int = 3,
+) -> Result:
+    """Degrade the test silhouettes, each kind at rising strength, and measure what is left.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    kinds : list of str
-        Of degradation.
-    strengths : list of float
-        Of each.
-    taught : float
-        Where damaged silhouettes teach, four of five suffer one of the kinds at a strength between
-        0 and this.
-    damage : float
-        Share of the contour at which the share of the gain that is lost is told.
-    every : int
+    components : Components
+    kinds : sequence of str
+        Kinds of degradation.
+    strengths : sequence of float, default=(0.1, 0.2, 0.4, 0.7, 1)
+        Strengths of each.
+    training_strength : float, default=0.6
+        The greatest strength of degradation in training, where four of five silhouettes suffer one
+        of the kinds.
+    damage : float, default=0.2
+        Share of the contour, lost or false, at which descriptors are compared.
+    every : int, default=3
         One of so many test frames is degraded.
     """
-    if not kinds or not strengths or every < 1 or not 0 < damage < 1:
-        raise InputError("name kinds and strengths; every is at least 1, damage between 0 and 1")
-    studio = studio_of(rooms, run)
+    check_values("every", POSITIVE_INTEGER, every)
+    if not kinds or not strengths or not 0 < damage < 1:
+        raise InputError("give kinds, strengths, and a damage between 0 and 1")
+    renderer = renderer_of(components, "descriptor_robustness")
     for strength in strengths:
-        Degradation(test=kinds, strength=strength)  # which complains before time is spent
-    lessons = Degradation([*4 * kinds, *["none"] * len(kinds)], [], [0.0, taught], rooms.seed)
-    with run.stage("masks"):
-        data = rooms.dataset()
-        whole = [mask for take in data.test for mask in masks_of(take, run)][::every]
-        true = np.concatenate([take.x for take in data.test])[::every]
-    with run.stage("regression"):
-        hurt = replace(studio, degradation=lessons).dataset()
-        eyes, described = _teach(rooms, data, hurt)
-        estimates, _ = compare(described, {})
-    metrics = {
-        baseline: {"whole_error": float(data.space.distance(true, estimated[::every]).mean())}
-        for baseline, estimated in estimates.items()
+        Degradation(test=list(kinds), strength=strength)  # refuses before time is spent
+    training = [*4 * list(kinds), *["none"] * len(kinds)]
+    degradation = Degradation(
+        train=training, strength=[0.0, training_strength], seed=components.seed
+    )
+    data = components.load()
+    degraded = components.dataset.load(replace(renderer, degradation=degradation))
+    clean = [mask for take in data.test for mask in take.mask_array()][::every]
+    true = np.concatenate([take.x for take in data.test])[::every]
+    pipelines, described = _train(components, data, degraded)
+    distance = data.space.distance
+    metrics: Metrics = {
+        baseline: {"whole_error": float(distance(true, estimated[::every]).mean())}
+        for baseline, estimated in compare(described, {})[0].items()
     }
-    nothing = metrics["mean_pose"]["whole_error"]
+    mean_pose_error = metrics["mean_pose"]["whole_error"]
     errors = {
-        name: float(data.space.distance(true, eye.estimate(whole)).mean())
-        for name, eye in eyes.items()
+        name: float(distance(true, pipeline.estimate(clean)).mean())
+        for name, pipeline in pipelines.items()
     }
-    rows: Rows = []
-    with run.stage("degradation"):
+    rows: list[Row] = []
+    with stage("degradation"):
         for kind, strength in product(kinds, sorted(strengths)):
-            damaged = _damage(whole, kind, strength, rooms.seed)
-            share = np.mean([contour_damage(*pair) for pair in zip(whole, damaged, strict=True)])
-            for name, eye in eyes.items():
-                error = float(data.space.distance(true, eye.estimate(damaged)).mean())
+            masks = _degrade(clean, kind, strength, components.seed)
+            share = np.mean([contour_damage(*pair) for pair in zip(clean, masks, strict=True)])
+            for name, pipeline in pipelines.items():
+                error = float(distance(true, pipeline.estimate(masks)).mean())
+                gain_lost = (error - errors[name]) / (mean_pose_error - errors[name])
                 rows.append(
-                    {"descriptor": name, "kind": kind, "strength": strength, "damage": float(share)}
-                    | {"error": error}
-                    | {"gain_lost": (error - errors[name]) / (nothing - errors[name])}
+                    {"descriptor": name, "kind": kind, "strength": strength}
+                    | {"damage": float(share), "error": error, "gain_lost": gain_lost}
                 )
-    lost = {name: {kind: _lost_at(damage, rows, name, kind) for kind in kinds} for name in eyes}
+    lost = {n: {kind: _lost_at(damage, rows, n, kind) for kind in kinds} for n in pipelines}
     for name, error in errors.items():
-        gain_lost = float(np.mean(list(lost[name].values())))
-        metrics[name] = {"whole_error": error, "gain_lost": gain_lost}
+        mean_lost = float(np.mean(list(lost[name].values())))
+        metrics[name] = {"whole_error": error, "gain_lost": mean_lost}
         metrics[name] |= {f"gain_lost_{kind}": value for kind, value in lost[name].items()}
-    unit = data.space.metrics[0].replace("_", " ")
-    with run.writing("descriptor_robustness.png") as path:
-        robustness_figure(path, rows, errors, nothing, lost, damage, whole, unit, rooms.seed)
-    _record(rooms, run, data, eyes, kinds, metrics, unit)
-    run.write_settings()
-    run.write_results(rows)
-    run.write_metrics(data.name, rooms.seed, metrics)
+    unit = in_words(data.space.metrics[0])
+    figure = descriptor_robustness_figure(
+        rows, errors, mean_pose_error, lost, damage, clean[len(clean) // 3], unit, components.seed
+    )
+    length = _frames_per_kind(data, kinds)
+    order = ", ".join(f"{kind} from frame {k * length}" for k, kind in enumerate(kinds))
+    return Result(
+        data.name,
+        metrics,
+        rows=rows,
+        figure=figure,
+        recording=Recording(
+            f"test take {data.test[0].name}: {order}",
+            partial(_record, data, pipelines, kinds, unit),
+        ),
+    )
 
 
-def _teach(
-    rooms: Components, whole: Dataset, damaged: Dataset
+def _train(
+    components: Components, clean: Dataset, degraded: Dataset
 ) -> tuple[dict[str, Pipeline], DescribedDataset]:
-    """Fit every descriptor and its regressor to either; describe whole silhouettes by ours."""
-    eyes: dict[str, Pipeline] = {}
-    ours: list[DescribedDataset] = []
-    for lesson, data in (("", whole), (TAUGHT, damaged)):
+    """Fit every descriptor and its regressor to both; describe the clean one by shape contexts."""
+    pipelines: dict[str, Pipeline] = {}
+    first: list[DescribedDataset] = []
+    for suffix, data in (("", clean), (TRAINED_ON_DEGRADED, degraded)):
         for name, descriptor in {
-            OURS: clone(rooms.descriptor),
-            "aligned_mask_pca": AlignedMask(random_state=rooms.seed),
+            SHAPE_CONTEXTS: clone(components.descriptor),
+            "aligned_mask_pca": AlignedMask(random_state=components.seed),
             "hu_moments": HuMoments(),
         }.items():
-            described, regressor = _learn(data, descriptor, rooms.candidates, name == OURS)
-            eyes[name + lesson] = Pipeline(descriptor, regressor)
-            ours.append(described)
-    return eyes, ours[0]
+            histogram = name == SHAPE_CONTEXTS
+            described, regressor = _fit(data, descriptor, components.regression, histogram)
+            pipelines[name + suffix] = Pipeline(descriptor, regressor)
+            first.append(described)
+    return pipelines, first[0]
 
 
-def _learn(
-    data: Dataset, descriptor: Descriptor, candidates: Candidates, histogram: bool
+def _fit(
+    data: Dataset, descriptor: Descriptor, candidates: RegressionCandidates, histogram: bool
 ) -> tuple[DescribedDataset, Regressor]:
-    descriptor.fit([mask for take in data.train if take.masks is not None for mask in take.masks])
-    parts = (examples(descriptor, part) for part in (data.train, data.validation, data.test))
+    with stage("descriptors"):
+        descriptor.fit([mask for take in data.train for mask in take.mask_array()])
+        splits = (data.train, data.validation, data.test)
+        parts = [describe_takes(descriptor, split) for split in splits]
     described = DescribedDataset(data, None, *parts)
-    basis = replace(candidates.basis, hellinger=candidates.basis.hellinger and histogram)
-    chosen = described.learn(replace(candidates, basis=basis), [REGRESSION])
-    return described, chosen.regressors[REGRESSION]
+    roots = candidates.basis.estimator.hellinger and histogram
+    basis = candidates.basis.with_parameters(hellinger=roots)
+    chosen = described.choose(replace(candidates, basis=basis), [METHOD])
+    return described, chosen.regressors[METHOD]
 
 
-def _damage(masks: Masks, kind: str, strength: float, seed: int) -> Masks:
+def _degrade(masks: Sequence[Mask], kind: str, strength: float, seed: int) -> list[Mask]:
     """Degrade every mask; a frame's damage is at the same place whatever the strength."""
     return [
         degrade(mask, kind, strength, np.random.default_rng([seed, frame]))
@@ -157,43 +185,38 @@ def _damage(masks: Masks, kind: str, strength: float, seed: int) -> Masks:
     ]
 
 
-def _lost_at(damage: float, rows: Rows, name: str, kind: str) -> float:
+def _lost_at(damage: float, rows: Sequence[Row], name: str, kind: str) -> float:
     """Share of the gain lost where so much of the contour is damaged, or at the kind's worst."""
     own = [row for row in rows if (row["descriptor"], row["kind"]) == (name, kind)]
-    shares = [0.0, *(float(str(row["damage"])) for row in own)]
-    return float(np.interp(damage, shares, [0.0, *(float(str(row["gain_lost"])) for row in own)]))
+    shares, lost = ([0.0, *(row[key] for row in own)] for key in ("damage", "gain_lost"))
+    return float(np.interp(damage, shares, lost))
+
+
+def _frames_per_kind(data: Dataset, kinds: Sequence[str]) -> int:
+    return -(-len(data.test[0]) // len(kinds))
 
 
 def _record(
-    rooms: Components,
-    run: Run,
     data: Dataset,
-    eyes: Mapping[str, Pipeline],
+    pipelines: Mapping[str, Pipeline],
     kinds: Sequence[str],
-    metrics: dict[str, dict[str, float]],
     unit: str,
+    header: Header,
 ) -> None:
-    """Record the first test sequence, one kind after the other rising from nothing to 1."""
-    take = data.test[0]
-    length = int(np.ceil(len(take) / len(kinds)))
-    frames = np.arange(len(take))
-    masks = [
-        degrade(
-            mask, kinds[int(f) // length], f % length / length, np.random.default_rng(f // length)
-        )
-        for f, mask in zip(frames, masks_of(take, run), strict=True)
-    ]
-    series = {
-        name: data.space.distance(take.x, eye.estimate(masks))
-        for name, eye in eyes.items()
-        if not name.endswith(TAUGHT)
-    }
-    told = ", ".join(f"{kind} from frame {k * length}" for k, kind in enumerate(kinds))
+    """Record the first test take, one kind after the other rising from nothing to 1."""
+    take, length = data.test[0], _frames_per_kind(data, kinds)
+    masks = []
+    for frame, mask in enumerate(take.mask_array()):
+        kind, strength = kinds[frame // length], frame % length / length
+        masks.append(degrade(mask, kind, strength, np.random.default_rng(frame // length)))
     record_study(
-        run.header(f"test sequence {take.name}: {told}", metrics),
-        run.folder / "descriptor_robustness.png",
-        series,
-        f"{unit}, taught by whole silhouettes, each damage rising from nothing",
-        take.frames_per_second,
-        masks,
+        header,
+        series={
+            name: data.space.distance(take.x, pipeline.estimate(masks))
+            for name, pipeline in pipelines.items()
+            if not name.endswith(TRAINED_ON_DEGRADED)
+        },
+        title=f"{unit}, trained on clean silhouettes, each degradation rising from nothing",
+        frames_per_second=take.frames_per_second,
+        masks=masks,
     )

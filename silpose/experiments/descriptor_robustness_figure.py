@@ -2,86 +2,70 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
+from silpose.core.types import Mask, Row
+from silpose.experiments.figures import ESTIMATED, GREEN, NEUTRAL, TRUE, in_words
 from silpose.silhouette import degrade
 
-Masks = list[NDArray[np.uint8]]
-Rows = list[dict[str, object]]
+TRAINED_ON_DEGRADED = "_trained_on_degraded"
+"""Suffix of a descriptor's name where it and its regressor were trained on degraded silhouettes."""
 
-TAUGHT = "_taught_damaged"  # added to the name of a descriptor that damaged silhouettes taught
-COLOURS = {
-    "shape_contexts": "tab:orange",
-    "aligned_mask_pca": "tab:blue",
-    "hu_moments": "tab:green",
-}
+COLOURS = {"shape_contexts": ESTIMATED, "aligned_mask_pca": TRUE, "hu_moments": GREEN}
 
 
-def robustness_figure(
-    path: Path,
-    rows: Rows,
+def descriptor_robustness_figure(
+    rows: Sequence[Row],
     errors: Mapping[str, float],
-    nothing: float,
+    mean_pose_error: float,
     lost: Mapping[str, Mapping[str, float]],
     damage: float,
-    whole: Masks,
+    mask: Mask,
     unit: str,
     seed: int,
-) -> None:
-    """Draw, for every kind of damage, error over damage by descriptor, and what the damage is.
+) -> Figure:
+    """Draw, for every kind of degradation, error over damage by descriptor, and samples.
 
     Parameters
     ----------
-    path : Path
-        Of the PNG.
-    rows : list of dict
+    rows : sequence of dict
         ``descriptor``, ``kind``, ``strength``, ``damage``, ``error``.
     errors : mapping of str to float
-        On whole silhouettes, by descriptor.
-    nothing : float
-        Error of the mean pose.
+        Errors on clean silhouettes, by descriptor.
+    mean_pose_error : float
     lost : mapping of str to mapping of str to float
-        Share of the gain lost, by descriptor and kind.
+        Share of the gain over the mean pose that is lost, by descriptor and kind.
     damage : float
-        At which it is lost.
-    whole : list of ndarray, each (H, W)
-        Whole silhouettes.
+        Share of the contour, lost or false, at which it is lost.
+    mask : ndarray, shape (H, W)
+        A clean silhouette.
     unit : str
-        Of the errors.
+        Unit of the errors.
     seed : int
-        Of the damage.
+        Seed of the degradation.
     """
     kinds = list(next(iter(lost.values())))
-    rows_of_axes = int(np.ceil(len(kinds) / 3))
-    figure = Figure(figsize=(12, 1.4 + 3.0 * rows_of_axes), layout="constrained")
-    grid = figure.subplots(rows_of_axes, 3, squeeze=False, sharey=True)
-    highest = max(nothing, *(float(str(row["error"])) for row in rows))
+    lines = -(-len(kinds) // 3)
+    figure = Figure(figsize=(12, 1.4 + 3.0 * lines), layout="constrained")
+    grid = figure.subplots(lines, 3, squeeze=False, sharey=True)
+    highest = max(mean_pose_error, *(row["error"] for row in rows))
     for axes, kind in zip(grid.ravel(), kinds, strict=False):
-        for name, error in errors.items():
-            own = [row for row in rows if (row["descriptor"], row["kind"]) == (name, kind)]
-            damages = [0.0, *(100 * float(str(row["damage"])) for row in own)]
-            curve = [error, *(float(str(row["error"])) for row in own)]
-            style = ".--" if name.endswith(TAUGHT) else ".-"
-            colour = COLOURS[name.removesuffix(TAUGHT)]
-            label = name.replace("_", " ")
-            axes.plot(damages, curve, style, color=colour, lw=1.2, label=label)
+        _plot_errors(axes, [row for row in rows if row["kind"] == kind], errors)
         for k, (name, colour) in enumerate(COLOURS.items()):
-            whole_taught, damaged_taught = lost[name][kind], lost[name + TAUGHT][kind]
-            told = f"{whole_taught:.0%} lost, {damaged_taught:.0%} if taught damaged"
+            clean, degraded = lost[name][kind], lost[name + TRAINED_ON_DEGRADED][kind]
+            text = f"{clean:.0%} lost, {degraded:.0%} if trained on degraded"
             axes.text(
-                0.98, 0.17 - 0.07 * k, told, color=colour, fontsize=8, ha="right",
+                0.98, 0.17 - 0.07 * k, text, color=colour, fontsize=8, ha="right",
                 transform=axes.transAxes,
             )  # fmt: skip
-        axes.axhline(nothing, color="gray", ls="-.", lw=1, label="mean pose")
-        axes.axvline(100 * damage, color="gray", ls=":", lw=1)
-        axes.set(ylim=(0, 1.6 * highest), title=kind.replace("_", " "))
-        _samples(axes, whole[len(whole) // 3], kind, seed)
+        axes.axhline(mean_pose_error, color=NEUTRAL, ls="-.", lw=1, label="mean pose")
+        axes.axvline(100 * damage, color=NEUTRAL, ls=":", lw=1)
+        axes.set(ylim=(0, 1.6 * highest), title=in_words(kind))
+        _draw_samples(axes, mask, kind, seed)
     for axes in grid.ravel()[len(kinds) :]:
         axes.axis("off")
     figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
@@ -93,10 +77,20 @@ def robustness_figure(
         "lost or false",
         fontsize=11,
     )
-    figure.savefig(path, dpi=110, format="png")
+    return figure
 
 
-def _samples(axes: Axes, mask: NDArray[np.uint8], kind: str, seed: int) -> None:
+def _plot_errors(axes: Axes, rows: Sequence[Row], errors: Mapping[str, float]) -> None:
+    for name, error in errors.items():
+        own = [row for row in rows if row["descriptor"] == name]
+        damages = [0.0, *(100 * row["damage"] for row in own)]
+        style = ".--" if name.endswith(TRAINED_ON_DEGRADED) else ".-"
+        colour = COLOURS[name.removesuffix(TRAINED_ON_DEGRADED)]
+        curve = [error, *(row["error"] for row in own)]
+        axes.plot(damages, curve, style, color=colour, lw=1.2, label=in_words(name))
+
+
+def _draw_samples(axes: Axes, mask: Mask, kind: str, seed: int) -> None:
     """Draw one silhouette along the top, at rising strength."""
     left, right = np.flatnonzero(mask.any(axis=0))[[0, -1]]
     margin = (right - left) // 2

@@ -1,8 +1,8 @@
-"""What do shape contexts and their codebook look like? Section II-A of the paper, Fig. 2."""
+"""What shape contexts and their codebook look like: section II-A of the paper, Fig. 2."""
 
 from __future__ import annotations
 
-from pathlib import Path
+from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,82 +11,79 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
+from silpose.core.stages import stage
+from silpose.core.types import Array, Mask
 from silpose.descriptor import Description
 from silpose.descriptor.context_space import ContextSpace
-from silpose.experiments.setup import Components, masks_of
-from silpose.model.describe import learn_descriptor
-from silpose.recording import codebook_picture, record_context_space
-from silpose.recording.runs.run_folder import Run
-
-Array = NDArray[np.float64]
+from silpose.experiments.setup import Components, want_masks
+from silpose.model import fit_descriptor
+from silpose.recording import Recording, Result, codebook_picture, record_context_space
 
 
-def descriptor_space(rooms: Components, run: Run, contexts: int) -> None:
-    """Look at all contexts in the plane of their two principal components, and at the codebook.
+def descriptor_space(components: Components, *, contexts: int = 20_000) -> Result:
+    """Show contexts in the plane of their two principal components, and the codebook.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    contexts : int
-        At most so many contexts of training silhouettes are drawn.
+    components : Components
+    contexts : int, default=20_000
+        Number of contexts of training silhouettes that are drawn, at most.
     """
     if contexts < 2:
         raise InputError(f"contexts must be at least 2, not {contexts}")
-    with run.stage("masks"):
-        data = rooms.dataset()
+    data = components.load()
+    want_masks([*data.train, *data.test], "descriptor_space")
     take = data.test[0]
-    masks = masks_of(take, run)
-    with run.stage("descriptors"):
-        descriptor = learn_descriptor(rooms.descriptor, data.train)
+    masks = take.mask_array()
+    with stage("descriptors"):
+        descriptor = fit_descriptor(components.descriptor, data.train)
         assert descriptor is not None, "there are masks"
-        training = [mask for each in data.train for mask in masks_of(each, run)]
-        rng = np.random.default_rng(rooms.seed)
+        training = [mask for each in data.train for mask in each.mask_array()]
+        rng = np.random.default_rng(components.seed)
         few = rng.choice(len(training), min(len(training), 1 + contexts // 50), replace=False)
-        cloud = np.concatenate(
-            [d.contexts for d in descriptor.describe([training[k] for k in few])]
-        )
+        some = descriptor.describe([training[k] for k in few])
+        cloud = np.concatenate([description.contexts for description in some])
         cloud = cloud[rng.choice(len(cloud), min(contexts, len(cloud)), replace=False)]
-        seen = descriptor.describe(masks)
-    space = ContextSpace.of(cloud, descriptor.codebook_, seen)
+        descriptions = descriptor.describe(masks)
+        space = ContextSpace.of(cloud, descriptor.codebook_, descriptions)
+    voted_for = [(d.z > 1e-3 * d.z.sum()).sum() for d in descriptions]
     metrics = {
         "codebook": {
             "variance_in_plane": float(space.contexts.var(axis=0).sum() / cloud.var(axis=0).sum()),
             "distance_to_nearest": descriptor.vote_width_ / descriptor.vote_width,
-            "centres_voted_for": float(np.mean([(d.z > 1e-3 * d.z.sum()).sum() for d in seen])),
+            "centres_voted_for": float(np.mean(voted_for)),
         }
     }
     picture = codebook_picture(descriptor.codebook_, descriptor.angular_bins)
     frame = len(take) // 3
-    with run.writing("descriptor_space.png") as path:
-        _figure(path, space, seen[frame], space.points[frame], masks[frame], picture)
-    record_context_space(
-        run.header(f"test sequence {take.name} by {take.performer}", metrics),
-        masks,
-        seen,
-        space,
-        descriptor.codebook_,
-        descriptor.angular_bins,
-        take.frames_per_second,
+    record = partial(
+        record_context_space,
+        masks=masks,
+        descriptions=descriptions,
+        space=space,
+        codebook=descriptor.codebook_,
+        angular_bins=descriptor.angular_bins,
+        frames_per_second=take.frames_per_second,
     )
-    run.write_settings()
-    run.write_results(
-        [
+    return Result(
+        data.name,
+        metrics,
+        rows=[
             {"centre": k, "component_1": x, "component_2": y}
             for k, (x, y) in enumerate(space.centres)
-        ]
+        ],
+        figure=_figure(space, descriptions[frame], space.points[frame], masks[frame], picture),
+        recording=Recording(f"test take {take.name} by {take.performer}", record),
     )
-    run.write_metrics(data.name, rooms.seed, metrics)
 
 
 def _figure(
-    path: Path,
     space: ContextSpace,
     description: Description,
     points: Array,
-    mask: NDArray[np.uint8],
+    mask: Mask,
     picture: NDArray[np.uint8],
-) -> None:
+) -> Figure:
     hues = np.arange(len(space.centres)) / len(space.centres)
     colours = hsv_to_rgb(np.stack([hues, np.full_like(hues, 0.75), np.full_like(hues, 0.85)], 1))
     figure = Figure(figsize=(13, 4.6), layout="constrained")
@@ -102,16 +99,14 @@ def _figure(
         axes.set(xlabel="first component", aspect="equal")
     everything.set_ylabel("second component")
     one.set(xlim=everything.get_xlim(), ylim=everything.get_ylim())
-    _silhouette(person, mask, description, colours)
+    _draw_silhouette(person, mask, description, colours)
     codebook.imshow(picture)
     codebook.set_title("the centres in log-polar bins", fontsize=10)
     codebook.axis("off")
-    figure.savefig(path, dpi=120, format="png")
+    return figure
 
 
-def _silhouette(
-    axes: Axes, mask: NDArray[np.uint8], description: Description, colours: Array
-) -> None:
+def _draw_silhouette(axes: Axes, mask: Mask, description: Description, colours: Array) -> None:
     axes.imshow(1 - 0.2 * mask, cmap="gray", vmin=0, vmax=1)
     x, y = description.points.T
     axes.scatter(x, y, c=colours[description.nearest], s=7)

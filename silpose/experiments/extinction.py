@@ -2,105 +2,111 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from pathlib import Path
+from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
-from silpose.core.errors import InputError
+from silpose.core.parameters import POSITIVE, POSITIVE_INTEGER, check_values
 from silpose.core.pose_space import PoseSpace
+from silpose.core.stages import stage
+from silpose.core.types import Array
 from silpose.evaluation import thigh_swing
 from silpose.experiments.figures import ESTIMATED, TRUE
-from silpose.experiments.setup import Components
-from silpose.model.tracker_training import learn_to_track
-from silpose.model.training import tidy
-from silpose.recording import record_extinction
-from silpose.recording.runs.run_folder import Run
-from silpose.tracking import GIVEN, SinglePoseTracker
-
-Array = NDArray[np.float64]
+from silpose.experiments.setup import Components, prepare_tracking, tidy
+from silpose.recording import Recording, Result, record_extinction
+from silpose.tracking import EXTINCT, GIVEN, SinglePoseTracker
 
 
 def extinction(
-    rooms: Components, run: Run, kernels: int, narrower: Sequence[float], takes: Sequence[str]
-) -> None:
+    components: Components,
+    *,
+    kernels: int = 120,
+    narrower: Sequence[float] = (3, 10),
+    takes: Sequence[str] = ("train_5",),
+) -> Result:
     """Track with the pose kernel of chosen width, and with ones that are too narrow.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    kernels : int
-        Training examples that carry one, drawn by seed.
-    narrower : sequence of float
-        By how much the kernel's width is divided: β_x is multiplied by the square.
-    takes : sequence of str
-        Training takes of the kernels; where the dataset has none of them, its longest.
+    components : Components
+    kernels : int, default=120
+        Number of training examples that carry a kernel, drawn by seed.
+    narrower : sequence of float, default=(3, 10)
+        Divisors of the kernel's width: β_x is multiplied by their squares.
+    takes : sequence of str, default=("train_5",)
+        Training takes of the kernels; by default the paper's, which ``dataset=agarwal`` has. Where
+        the dataset has none of them, its longest.
     """
-    if kernels < 1 or not narrower or min(narrower) <= 0:
-        raise InputError(f"kernels and narrower must be positive, not {kernels} and {narrower}")
-    learnt = learn_to_track(rooms, run)
-    described, space = learnt.described, learnt.described.data.space
+    check_values("kernels", POSITIVE_INTEGER, kernels)
+    check_values("narrower", POSITIVE, *narrower)
+    training = prepare_tracking(components)
+    described, space = training.described, training.described.data.space
     names = [take.name for take in described.data.train]
-    named = [k for k, name in enumerate(names) if name in takes]
     longest = max(range(len(names)), key=lambda k: len(described.train[k][1]))
-    sequences = [described.train[k] for k in named or [longest]]
-    with run.stage("tracking"):
-        chosen = learnt.joint.regressor.pose_width
-        z, x = described.test[0]
-        tracks = {}
+    named = [k for k, name in enumerate(names) if name in takes] or [longest]
+    chosen = training.state_sensitive.regressor_.pose_width
+    z, x = described.test[0]
+    poses, activations = {}, {}
+    with stage("tracking"):
         for factor in (1, *narrower):
-            tracker = learnt.joint_with(
-                sequences, centres=kernels, keep_at_most=None, pose_width=chosen * factor**2
+            tracker = training.state_sensitive_with(
+                [described.train[k] for k in named],
+                centres=kernels,
+                keep_at_most=None,
+                pose_width=chosen * factor**2,
             )
             name = "as chosen" if factor == 1 else f"{factor:g} times narrower"
-            tracks[name] = _by_heading(tracker).track(z, x[:GIVEN])
+            track = tracker.track(z, x[:GIVEN])
+            assert track.beliefs is not None, "these are the kernels of a tracker of one pose"
+            poses[name], activations[name] = track.x, track.beliefs[:, _by_heading(tracker)]
+    errors = {name: space.distance(x, estimated) for name, estimated in poses.items()}
     metrics = {
         name: {
-            space.metrics[0]: float(space.distance(x, estimated).mean()),
-            "extinct": float((activations[GIVEN:].max(axis=1) < 1e-3).mean()),
+            space.metrics[0]: float(errors[name][GIVEN:].mean()),
+            "extinct": float((own[GIVEN:].max(axis=1) < EXTINCT).mean()),
         }
-        for name, (estimated, activations) in tracks.items()
+        for name, own in activations.items()
     }
-    with run.writing("extinction.png") as path:
-        _figure(path, space, x, tracks)
-    record_extinction(
-        run.header("activations of the kernels over time", metrics),
-        run.folder / "extinction.png",
-        {name: activations for name, (_, activations) in tracks.items()},
-        {name: space.distance(x, estimated) for name, (estimated, _) in tracks.items()},
-        described.data.test[0].frames_per_second,
+    record = partial(
+        record_extinction,
+        activations=activations,
+        errors=errors,
+        frames_per_second=described.frames_per_second,
     )
-    run.write_settings()
-    run.write_results([*learnt.selection.rows, *tidy(metrics)])
-    run.write_metrics(described.data.name, rooms.seed, metrics)
+    headline = training.validation_error("state_sensitive")
+    return Result(
+        described.data.name,
+        metrics,
+        rows=[*training.selection.rows, *tidy(metrics)],
+        figure=_figure(space, x, poses, activations),
+        recording=Recording("activations of the kernels over time", record),
+        headline=headline,
+    )
 
 
-def _by_heading(tracker: SinglePoseTracker) -> SinglePoseTracker:
-    """Put the kernels in the order in which a walk meets them: by their poses' headings."""
-    regressor = tracker.regressor
+def _by_heading(tracker: SinglePoseTracker) -> np.ndarray:
+    """Order of the kernels in which a walk in a circle meets them: by their poses' headings."""
+    regressor = tracker.regressor_
     centres = regressor.centres_x_ * regressor.scale_ + regressor.mean_
-    order = np.argsort(np.arctan2(centres[:, 1], centres[:, 0]))
-    regressor.centres_x_ = regressor.centres_x_[order]
-    regressor.centres_z_ = regressor.centres_z_[order]
-    count = len(order)
-    regressor.coef_ = np.vstack([regressor.coef_[:count][order], regressor.coef_[count:]])
-    return tracker
+    return np.argsort(np.arctan2(centres[:, 1], centres[:, 0]))
 
 
 def _figure(
-    path: Path, space: PoseSpace, true: Array, tracks: dict[str, tuple[Array, Array]]
-) -> None:
-    figure = Figure(figsize=(5 * len(tracks), 6), layout="constrained")
-    rows = figure.subplots(2, len(tracks), sharex=True)
-    for (swing, image), (name, (x, activations)) in zip(rows.T, tracks.items(), strict=True):
+    space: PoseSpace, true: Array, poses: Mapping[str, Array], activations: Mapping[str, Array]
+) -> Figure:
+    figure = Figure(figsize=(5 * len(poses), 6), layout="constrained")
+    rows = figure.subplots(2, len(poses), sharex=True)
+    for (swing, image), (name, x) in zip(rows.T, poses.items(), strict=True):
         swing.plot(thigh_swing(space, true), color=TRUE, lw=2, label="true")
         swing.plot(thigh_swing(space, x), color=ESTIMATED, lw=1, label="tracked")
-        swing.set_title(f"pose kernel {name}: {space.distance(true, x).mean():.2f} off")
+        error = space.distance(true[GIVEN:], x[GIVEN:]).mean()
+        swing.set_title(f"pose kernel {name}: error {error:.2f}")
         swing.set(ylabel="left thigh, degrees", ylim=(-90, 90))
         swing.legend(loc="lower left", fontsize=8, ncols=2)
-        image.imshow(activations.T, aspect="auto", cmap="magma", vmin=0, interpolation="nearest")
+        image.imshow(
+            activations[name].T, aspect="auto", cmap="magma", vmin=0, interpolation="nearest"
+        )
         image.set(xlabel="frame", ylabel="kernels, by heading")
-    figure.savefig(path, dpi=110, format="png")
+    return figure

@@ -1,92 +1,97 @@
-"""Which silhouette points tell a body part's pose? Section IV-A of the paper, Fig. 7."""
+"""Silhouette points that matter for a body part's pose: section IV-A of the paper, Fig. 7."""
 
 from __future__ import annotations
 
-from pathlib import Path
+from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
-from silpose.experiments.setup import Components, masks_of
-from silpose.model.training import prepare
-from silpose.recording import record_features
-from silpose.recording.runs.run_folder import Run
+from silpose.core.parameters import POSITIVE_INTEGER, check_values
+from silpose.core.types import Indices
+from silpose.experiments.figures import ESTIMATED, draw_silhouette, in_words
+from silpose.experiments.setup import Components, prepare, want_masks
+from silpose.recording import Recording, Result, record_features
 from silpose.regression import check_methods
 
+Marks = Mapping[str, Sequence[NDArray[np.bool_]]]
+"""Whether each point (P,) of each frame votes into a retained bin, by body part."""
 
-def feature_selection(rooms: Components, run: Run, method: str, samples: int) -> None:
+
+def feature_selection(
+    components: Components, *, method: str = "rvm_10", samples: int = 7
+) -> Result:
     """Regress each body part by a linear RVM, and mark the points whose bins it retains.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    method : str
-        How sparse: ``rvm``, or ``rvm_N`` for N of 100 bins.
-    samples : int
-        Silhouettes in the figure.
+    components : Components
+        With a linear basis (``regression=linear``).
+    method : str, default="rvm_10"
+        Sparsity: ``rvm``, or ``rvm_N`` for N of 100 bins.
+    samples : int, default=7
+        Number of silhouettes in the figure.
     """
     check_methods([method])
-    if rooms.candidates.basis.kernel is not None:
+    check_values("samples", POSITIVE_INTEGER, samples)
+    if components.regression.basis.estimator.kernel is not None:
         raise InputError("bins can be retained on a linear basis only: add regression=linear")
-    if samples < 1:
-        raise InputError(f"samples must be at least 1, not {samples}")
-    described = prepare(rooms, run)
+    described = prepare(components)
     take = described.data.test[0]
-    masks = masks_of(take, run)
+    want_masks([take], "feature_selection")
+    masks = take.mask_array()
     assert described.descriptor is not None, "there are masks"
-    bins: dict[str, NDArray[np.intp]] = {}
-    with run.stage("regression"):
-        for part in described.data.space.parts:
-            chosen = described.learn(rooms.candidates, [method], part)
-            bins[part] = chosen.regressors[method].relevance_
-    seen = described.descriptor.describe(masks)
+    bins: dict[str, Indices] = {}
+    for part in described.data.space.parts:
+        chosen = described.choose(components.regression, [method], part)
+        bins[part] = chosen.regressors[method].relevance_
+    descriptions = described.descriptor.describe(masks)
     marked = {
-        part: [np.isin(description.nearest, own) for description in seen]
+        part: [np.isin(description.nearest, own) for description in descriptions]
         for part, own in bins.items()
     }
     metrics = {
         part: {
             "functions_kept": float(len(own)),
-            "points_share": float(np.mean([m.mean() for m in marked[part]])),
+            "points_share": float(np.mean([marks.mean() for marks in marked[part]])),
         }
         for part, own in bins.items()
     }
-    points = [description.points for description in seen]
-    with run.writing("feature_selection.png") as path:
-        _figure(path, masks, points, marked, samples)
-    record_features(
-        run.header("silhouette points whose bins are retained", metrics),
-        masks,
-        points,
-        marked,
-        take.frames_per_second,
+    points = [description.points for description in descriptions]
+    record = partial(
+        record_features,
+        masks=masks,
+        points=points,
+        marked=marked,
+        frames_per_second=take.frames_per_second,
     )
-    run.write_settings()
-    run.write_results([{"part": part, "bin": int(b)} for part, own in bins.items() for b in own])
-    run.write_metrics(described.data.name, rooms.seed, metrics)
+    return Result(
+        described.data.name,
+        metrics,
+        rows=[{"part": part, "bin": int(b)} for part, own in bins.items() for b in own],
+        figure=_figure(masks, points, marked, samples),
+        recording=Recording("silhouette points whose bins are retained", record),
+    )
 
 
 def _figure(
-    path: Path,
-    masks: NDArray[np.uint8],
-    points: list[NDArray[np.int32]],
-    marked: dict[str, list[NDArray[np.bool_]]],
-    samples: int,
-) -> None:
+    masks: NDArray[np.uint8], points: Sequence[NDArray[np.int32]], marked: Marks, samples: int
+) -> Figure:
     frames = np.linspace(0, len(masks) - 1, samples + 2)[1:-1].astype(int)
     figure = Figure(figsize=(1.5 * samples, 1.9 * len(marked)), layout="constrained")
     grid = figure.subplots(len(marked), samples, squeeze=False)
     for row, (part, own) in zip(grid, marked.items(), strict=True):
         for axes, frame in zip(row, frames, strict=True):
-            axes.imshow(1 - 0.2 * masks[frame], cmap="gray", vmin=0, vmax=1)
-            axes.plot(*points[frame][own[frame]].T, ".", color="tab:red", ms=3)
-            left, right = np.flatnonzero(masks[frame].any(axis=0))[[0, -1]]
-            axes.set_xlim(min(left, masks.shape[2] * 0.25), max(right, masks.shape[2] * 0.75))
+            mask = masks[frame]
+            draw_silhouette(axes, mask)
+            axes.plot(*points[frame][own[frame]].T, ".", color=ESTIMATED, ms=3)
+            left, right = np.flatnonzero(mask.any(axis=0))[[0, -1]]
+            axes.set_xlim(min(left, mask.shape[1] * 0.25), max(right, mask.shape[1] * 0.75))
             axes.set_xticks([])
             axes.set_yticks([])
-        row[0].set_ylabel(part.replace("_", " "), fontsize=9)
+        row[0].set_ylabel(in_words(part), fontsize=9)
     figure.suptitle("silhouette points whose shape contexts vote into retained bins", fontsize=9)
-    figure.savefig(path, dpi=120, format="png")
+    return figure

@@ -2,188 +2,192 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
-from pathlib import Path
+from functools import partial
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace
 from silpose.core.progress import bar
-from silpose.evaluation.recovery import BACK_DEG, FailureSequence, Follow, blanks, cuts
-from silpose.experiments.figures import ESTIMATED, QUIET, TRUE
-from silpose.experiments.setup import Components
-from silpose.model.tracker_training import TrackerTraining, learn_to_track
-from silpose.model.training import tidy
-from silpose.recording import Truth, record_hypotheses
-from silpose.recording.palette import STATES
-from silpose.recording.runs.run_folder import Run
+from silpose.core.stages import stage, timed
+from silpose.core.types import Array, Row
+from silpose.evaluation import HEADING_LIMIT_DEG, FailureSequence, blank_trials, cut_trials
+from silpose.experiments.figures import ESTIMATED, NEUTRAL, TRUE, format_headings
+from silpose.experiments.setup import Components, prepare_tracking, tidy
+from silpose.model import TrackerTraining
+from silpose.recording import (
+    GroundTruth,
+    Header,
+    Recording,
+    Result,
+    palette,
+    record_hypotheses,
+)
 from silpose.regression import MixtureOfRegressors
-from silpose.tracking import Estimate, ManyTracks, MultipleHypothesisTracker, choose_hypotheses
+from silpose.silhouette import Camera
+from silpose.tracking import Track
 
-Array = NDArray[np.float64]
+SOON = 1.0  # seconds after a failure within which a tracker should have recovered
 
-SOON = 1.0  # seconds after a failure within which a tracker is to be back
+Seconds = dict[str, dict[str, Array]]
+"""Seconds until recovery from each failure, by method and kind of failure."""
 
 
-def hypotheses(rooms: Components, run: Run, blank_frames: int, trials: int) -> None:
-    """Track unseen sequences from no given pose, then with failures put in.
+def hypotheses(components: Components, *, blank_frames: int = 20, trials: int = 40) -> Result:
+    """Track unseen takes from no given pose, then with injected failures.
 
     Beside it stand the paper's state-sensitive tracker and the one of a belief over key poses,
     given the first two true poses; these frames count for none. The latter starts by itself, too.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    blank_frames : int
-        How long a silhouette is missing.
-    trials : int
-        Failures of each kind.
+    components : Components
+    blank_frames : int, default=20
+        Number of frames without a silhouette.
+    trials : int, default=40
+        Number of failures of each kind.
     """
-    learnt = learn_to_track(rooms, run)
-    described, space = learnt.described, learnt.described.data.space
-    with run.stage("regression"):
-        mixture, rows = described.learn_mixture(rooms.candidates.mixture, learnt.ridge)
-    with run.stage("tracking"):
-        settings = rooms.tracking.hypotheses
-        tracker = choose_hypotheses(learnt.selection, settings, mixture, learnt.dynamics)
-        estimators: dict[str, Estimate] = {
-            "ridge": lambda z, _: learnt.ridge.predict(z),
+    training = prepare_tracking(components)
+    mixture, tracker = training.mixture.mixture, training.hypotheses
+    tracks = training.follow(
+        {
+            "ridge": lambda z, _: training.ridge.predict(z),
             "mixture_top1": lambda z, _: mixture.predict(z),
-            "joint": lambda z, start: learnt.joint.track(z, start)[0],
-            "tracker": lambda z, _: learnt.tracker.track(z).x,
-            "tracker_given_start": lambda z, start: learnt.tracker.track(z, start).x,
+            "state_sensitive": lambda z, start: training.state_sensitive.track(z, start).x,
+            "tracker": lambda z, _: training.tracker.track(z).x,
+            "tracker_given_start": lambda z, start: training.tracker.track(z, start).x,
             "hypotheses": lambda z, _: tracker.track(z).x,
-            "hypotheses_lag": lambda z, _: tracker.track(z, lag=learnt.lag).x,
+            "hypotheses_lag": lambda z, _: tracker.track(z, lag=training.lag).x,
         }
-        tracks = learnt.follow(estimators)
-    with run.stage("failures"):
-        seconds = _seconds_lost(rooms, learnt, tracker, blank_frames, trials)
-    with run.stage("evaluation"):
-        metrics = learnt.measure(tracks)
-        for method, kinds in seconds.items():
-            back = {f"back_after_{k}": float((s <= SOON).mean()) for k, s in kinds.items()}
-            metrics[method] |= back
-    film = FailureSequence.of(described.data.test[0], described.test[0][0], blank_frames)
-    many = tracker.track(film.z)
-    model = replace(described.model(learnt.ridge), tracker=tracker)
-    with run.writing("model.npz") as path:
-        model.save(path)
-    with run.writing("hypotheses.png") as path:
-        _figure(path, space, film, mixture, many, seconds)
-    _record(rooms, run, film, mixture, many, space, metrics)
-    run.write_settings()
-    run.write_results([*rows, *learnt.selection.rows, *_lost(seconds), *tidy(metrics)])
-    run.write_metrics(described.data.name, rooms.seed, metrics)
+    )
+    seconds = _recovery_seconds(training, blank_frames, trials, components.seed)
+    metrics = training.measure(tracks)
+    for method, kinds in seconds.items():
+        back = {f"back_after_{k}": float((s <= SOON).mean()) for k, s in kinds.items()}
+        metrics[method] |= back
+    described = training.described
+    sequence = FailureSequence.of(described.data.test[0], described.test[0][0], blank_frames)
+    with stage("tracking"):
+        track = tracker.track(sequence.z)
+    take, space = sequence.take, described.data.space
+    headline = training.validation_error("hypotheses")
+    return Result(
+        described.data.name,
+        metrics,
+        rows=[
+            *training.mixture.rows,
+            *training.selection.rows,
+            *_trial_rows(seconds),
+            *tidy(metrics),
+        ],
+        figure=_figure(space, sequence, mixture, track, seconds),
+        recording=Recording(
+            f"{take.name} by {take.performer}, with blank frames and a cut injected",
+            partial(_record, space, sequence, mixture, track, take.camera_or(components.camera)),
+        ),
+        model=described.model(training.ridge, tracker),
+        headline=headline,
+    )
 
 
-def _seconds_lost(
-    rooms: Components,
-    learnt: TrackerTraining,
-    tracker: MultipleHypothesisTracker,
-    blank_frames: int,
-    trials: int,
-) -> dict[str, dict[str, Array]]:
-    """Seconds until each tracker is back after each failure, by method and kind."""
-    described, rate = learnt.described, learnt.selection.frames_per_second
+@timed("failures")
+def _recovery_seconds(
+    training: TrackerTraining, blank_frames: int, trials: int, seed: int
+) -> Seconds:
+    """Seconds until each tracker has recovered from each failure, by method and kind."""
+    test, space = training.described.test, training.described.data.space
+    rate = training.selection.frames_per_second
     failures = {
-        "blank": blanks(described.test, blank_frames, trials, rate),
-        "cut": cuts(described.test, trials, rate, rooms.seed),
+        "blank": blank_trials(test, blank_frames, trials, rate),
+        "cut": cut_trials(test, trials, rate, seed),
     }
-    followers: dict[str, Follow] = {
-        "tracker": lambda z: learnt.tracker.track(z).x,
-        "hypotheses": lambda z: tracker.track(z).x,
+    trackers = {
+        "tracker": lambda z: training.tracker.track(z).x,
+        "hypotheses": lambda z: training.hypotheses.track(z).x,
     }
-    seconds: dict[str, dict[str, Array]] = {method: {} for method in followers}
-    with bar("failures", len(followers) * sum(map(len, failures.values()))) as advance:
-        for method, follow in followers.items():
+    seconds: Seconds = {method: {} for method in trackers}
+    with bar("failures", len(trackers) * sum(map(len, failures.values()))) as advance:
+        for method, track in trackers.items():
             for kind, several in failures.items():
                 lost = []
                 for trial in several:
-                    lost.append(trial.seconds(described.data.space, follow, rate))
+                    lost.append(trial.recovery_seconds(space, track, rate))
                     advance(1)
-                if lost:  # else the sequences are too short
+                if lost:  # else the takes are too short
                     seconds[method][kind] = np.array(lost)
     return seconds
 
 
-def _record(
-    rooms: Components,
-    run: Run,
-    film: FailureSequence,
-    mixture: MixtureOfRegressors,
-    many: ManyTracks,
-    space: PoseSpace,
-    metrics: Mapping[str, Mapping[str, float]],
-) -> None:
-    take, z = film.take, film.z
-    weights, means, _ = mixture.predict_modes(np.nan_to_num(z), many.weights.shape[1])
-    weights[np.isnan(z).any(axis=1)] = 0
-    errors = {
-        "mixture_top1": space.distance(take.x, means[:, 0]),
-        "hypotheses": space.distance(take.x, many.x),
-    }
-    told = f"{take.name} by {take.performer}, with blank frames and a cut put in"
-    with run.stage("recording"):
-        record_hypotheses(
-            run.header(told, metrics),
-            take,
-            Truth.of(take, rooms.camera, errors, space),
-            (weights, means),
-            many,
-            space,
-        )
-
-
-def _lost(seconds: Mapping[str, Mapping[str, Array]]) -> list[dict[str, object]]:
+def _trial_rows(seconds: Seconds) -> list[Row]:
     return [
-        {"method": method, "failure": kind, "trial": trial, "seconds_to_come_back": float(lost)}
+        {"method": method, "failure": kind, "trial": trial, "recovery_seconds": float(lost)}
         for method, kinds in seconds.items()
         for kind, several in kinds.items()
         for trial, lost in enumerate(several)
     ]
 
 
-def _figure(
-    path: Path,
+def _record(
     space: PoseSpace,
-    film: FailureSequence,
+    sequence: FailureSequence,
     mixture: MixtureOfRegressors,
-    many: ManyTracks,
-    seconds: Mapping[str, Mapping[str, Array]],
+    track: Track,
+    camera: Camera,
+    header: Header,
 ) -> None:
-    """Heading with failures put in, the tracker's state, and how soon it is back."""
+    """Record the modes of each silhouette, and those of the tracker, with failures injected."""
+    take, z = sequence.take, sequence.z
+    assert track.weights is not None
+    weights, means, _ = mixture.predict_modes(np.nan_to_num(z), track.weights.shape[1])
+    weights[np.isnan(z).any(axis=1)] = 0
+    errors = {
+        "mixture_top1": space.distance(take.x, means[:, 0]),
+        "hypotheses": space.distance(take.x, track.x),
+    }
+    truth = GroundTruth.of(take, camera, errors, space)
+    record_hypotheses(header, take, truth, (weights, means), track, space)
+
+
+def _figure(
+    space: PoseSpace,
+    sequence: FailureSequence,
+    mixture: MixtureOfRegressors,
+    track: Track,
+    seconds: Seconds,
+) -> Figure:
+    """Heading with failures injected, the tracker's state, and how soon it recovers."""
     figure = Figure(figsize=(13, 5), layout="constrained")
     grid = figure.add_gridspec(1, 2, width_ratios=[2.6, 1])
     left, right = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     headings, states = left.subplots(2, sharex=True, height_ratios=[6, 1])
-    take, z, seen = film.take, film.z, ~np.isnan(film.z).any(axis=1)
+    z, seen = sequence.z, ~np.isnan(sequence.z).any(axis=1)
     frames = np.arange(len(z))
     alone = space.heading(mixture.predict(z[seen]))
-    headings.plot(frames, space.heading(take.x), ".", color=TRUE, ms=5, label="true")
-    headings.plot(frames[seen], alone, "x", color=QUIET, ms=4, label="one silhouette alone")
-    headings.plot(frames, space.heading(many.x), ".", color=ESTIMATED, ms=3, label="tracker")
+    headings.plot(frames, space.heading(sequence.take.x), ".", color=TRUE, ms=5, label="true")
+    headings.plot(frames[seen], alone, "x", color=NEUTRAL, ms=4, label="single image")
+    headings.plot(frames, space.heading(track.x), ".", color=ESTIMATED, ms=3, label="tracker")
     headings.axvspan(*frames[~seen][[0, -1]] + (-0.5, 0.5), color="#dddddd", label="blank")
-    headings.axvline(film.cut - 0.5, color="black", lw=1, label="cut")
-    headings.set(ylim=(-185, 185), yticks=(-180, -90, 0, 90, 180), ylabel="heading, degrees")
+    headings.axvline(sequence.cut - 0.5, color="black", lw=1, label="cut")
+    format_headings(headings)
     headings.legend(fontsize=8, ncols=5, loc="lower left")
-    for state, shade in STATES.items():
-        own = frames[np.array(many.state) == state]
-        states.bar(own, 1, 1.0, color=np.divide(shade, 255), label=state)
+    for state, colour in palette.STATES.items():
+        own = frames[np.array(track.state) == state]
+        states.bar(own, 1, 1.0, color=palette.hexed(colour), label=state)
     states.set(yticks=[], xlabel="frame", xlim=(0, len(z)))
     states.legend(fontsize=8, ncols=4, loc="center left")
-    axes = right.subplots()
-    for method, colour in (("tracker", QUIET), ("hypotheses", ESTIMATED)):
+    _plot_recovery(right.subplots(), seconds)
+    return figure
+
+
+def _plot_recovery(axes: Axes, seconds: Seconds) -> None:
+    for method, colour in (("tracker", NEUTRAL), ("hypotheses", ESTIMATED)):
         for kind, style in (("blank", "-"), ("cut", "--")):
             lost = seconds[method].get(kind)
             if lost is not None:
                 axes.ecdf(np.minimum(lost, 9), color=colour, ls=style, label=f"{method}: {kind}")
     axes.axvline(SOON, color="black", lw=0.7)
     axes.set(xlim=(0, 1.5), ylim=(0, 1), xlabel="seconds after a failure")
-    axes.set_ylabel(f"share of tracks within {BACK_DEG:.0f}° again")
+    axes.set_ylabel(f"share of tracks within {HEADING_LIMIT_DEG:.0f}° of the heading")
     if axes.lines[1:]:
         axes.legend(fontsize=8, loc="lower right")
-    figure.savefig(path, dpi=110, format="png")

@@ -1,59 +1,57 @@
-"""From which frames does a tracker find its way by itself? Section V-B of the paper: 84 %."""
+"""Frames from which a tracker locks on by itself: section V-B of the paper, 84 %."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
+from collections.abc import Callable, Mapping
+from functools import partial
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 from sklearn.base import clone
 
 from silpose.core.pose_space import PoseSpace
 from silpose.core.progress import bar
-from silpose.evaluation import heading_errors
-from silpose.experiments.setup import Components
-from silpose.model.tracker_training import TrackerTraining, learn_to_track
-from silpose.model.training import tidy
-from silpose.recording import record_study
-from silpose.recording.runs.run_folder import Run
-from silpose.tracking import BeliefTracker
+from silpose.core.stages import stage
+from silpose.core.types import Array, Metrics
+from silpose.evaluation import HEADING_LIMIT_DEG, heading_errors
+from silpose.experiments.figures import RED, TRUE
+from silpose.experiments.setup import Components, prepare_tracking, tidy
+from silpose.model import TrackerTraining
+from silpose.recording import Recording, Result, record_study
+from silpose.tracking import GIVEN, BeliefTracker
 
-Array = NDArray[np.float64]
-Follow = Callable[[Array, bool], Array]
+Track = Callable[[Array, bool], Array]
+"""From descriptors (F, d), and whether time runs backwards, to poses (F, D)."""
 
-LOCKED_DEG = 20.0  # heading error within which a track counts as locked on,
-LOCKED_SHARE = 0.95  # in this share of the frames,
+LOCKED_SHARE = 0.95  # share of frames with the heading within its limit from which it counts,
 SETTLING = 1.0  # from so many seconds after the start
 
 
-def initialisation(rooms: Components, run: Run) -> None:
-    """Start at every frame in turn, track forwards and backwards, and never recover.
+def initialisation(components: Components) -> Result:
+    """Start at every frame in turn, track forwards and backwards, and never start again.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
+    components : Components
     """
-    learnt = learn_to_track(rooms, run)
-    described, space = learnt.described, learnt.described.data.space
+    training = prepare_tracking(components)
+    described, space = training.described, training.described.data.space
     z, x = described.test[0]
-    rate = described.data.test[0].frames_per_second
-    settling = round(SETTLING * rate)
-    with run.stage("tracking"):
-        tracker: BeliefTracker = clone(learnt.tracker).set_params(restart=0.0).fit(described.train)
-        followers: dict[str, Follow] = {
-            "joint": lambda z, back: _point(learnt, z, back),
+    settling = round(SETTLING * described.frames_per_second)
+    with stage("tracking"):
+        tracker: BeliefTracker = clone(training.tracker).set_params(restart=0.0)
+        tracker.fit(described.train)
+        trackers: dict[str, Track] = {
+            "state_sensitive": lambda z, back: _state_sensitive(training, z, back),
             "tracker": lambda z, back: tracker.track(z, backwards=back).x,
-            "tracker_lag": lambda z, back: tracker.track(z, lag=learnt.lag, backwards=back).x,
+            "tracker_lag": lambda z, back: tracker.track(z, lag=training.lag, backwards=back).x,
         }
         shares = {}
-        with bar("starts", len(followers) * len(z)) as advance:
-            for method, follow in followers.items():
+        with bar("starts", len(trackers) * len(z)) as advance:
+            for method, track in trackers.items():
                 shares[method] = np.full(len(z), np.nan)
                 for start in range(len(z)):
-                    shares[method][start] = _share_within(space, z, x, start, settling, follow)
+                    shares[method][start] = share_within(space, z, x, start, settling, track)
                     advance(1)
     metrics = {
         method: {
@@ -62,54 +60,61 @@ def initialisation(rooms: Components, run: Run) -> None:
         }
         for method, share in shares.items()
     }
-    with run.writing("initialisation.png") as path:
-        _figure(path, shares, metrics)
-    record_study(
-        run.header("tracks that begin at every frame in turn", metrics),
-        run.folder / "initialisation.png",
-        shares,
-        "share of frames within 20° of the heading, by first frame",
-        rate,
+    record = partial(
+        record_study,
+        series=shares,
+        title=f"share of frames within {HEADING_LIMIT_DEG:g}° of the heading, by first frame",
+        frames_per_second=described.frames_per_second,
     )
-    run.write_settings()
-    run.write_results([*learnt.selection.rows, *tidy(metrics)])
-    run.write_metrics(described.data.name, rooms.seed, metrics)
+    headline = training.validation_error("tracker")
+    return Result(
+        described.data.name,
+        metrics,
+        rows=[*training.selection.rows, *tidy(metrics)],
+        figure=_figure(shares, metrics),
+        recording=Recording("tracks that begin at every frame in turn", record),
+        headline=headline,
+    )
 
 
-def _share_within(
-    space: PoseSpace,
-    z: Array,
-    x: Array,
-    start: int,
-    settling: int,
-    follow: Follow,
+def share_within(
+    space: PoseSpace, z: Array, x: Array, start: int, settling: int, track: Track
 ) -> float:
-    """Share of frames whose heading is met, from a second after the start, in both directions."""
+    """Share of frames whose heading is within its limit, in both directions from a start.
+
+    Parameters
+    ----------
+    space : PoseSpace
+    z, x : ndarray, shapes (F, d) and (F, D)
+        Descriptors and true poses.
+    start, settling : int
+        First frame, and the number of frames after it that do not count.
+    track : callable
+    """
     met = []
     for part, back in ((slice(start, None), False), (slice(None, start + 1), True)):
         if len(x[part]) > settling:
-            off = heading_errors(space, x[part], follow(z[part], back))
-            met.append((off[:-settling] if back else off[settling:]) <= LOCKED_DEG)
+            errors = heading_errors(space, x[part], track(z[part], back))
+            met.append((errors[:-settling] if back else errors[settling:]) <= HEADING_LIMIT_DEG)
     return float(np.concatenate(met).mean()) if met else np.nan
 
 
-def _point(learnt: TrackerTraining, z: Array, back: bool) -> Array:
+def _state_sensitive(training: TrackerTraining, z: Array, back: bool) -> Array:
     """Track by the paper's tracker from the single-image estimates of the first two frames."""
     along = z[::-1] if back else z
-    x = learnt.joint.track(along, learnt.ridge.predict(along[:2]))[0]
+    x = training.state_sensitive.track(along, training.ridge.predict(along[:GIVEN])).x
     return x[::-1] if back else x
 
 
-def _figure(path: Path, shares: dict[str, Array], metrics: dict[str, dict[str, float]]) -> None:
+def _figure(shares: Mapping[str, Array], metrics: Metrics) -> Figure:
     figure = Figure(figsize=(10, 2 * len(shares)), layout="constrained")
     rows = figure.subplots(len(shares), sharex=True, squeeze=False)[:, 0]
     for axes, (method, share) in zip(rows, shares.items(), strict=True):
-        locked = share >= LOCKED_SHARE
-        axes.bar(np.arange(len(share)), share, 1.0, color=np.where(locked, "#2f8fd0", "#c0392b"))
+        colours = np.where(share >= LOCKED_SHARE, TRUE, RED)
+        axes.bar(np.arange(len(share)), share, 1.0, color=colours)
         axes.axhline(LOCKED_SHARE, color="black", lw=0.7)
-        axes.set(ylim=(0, 1), ylabel="share within 20°")
-        axes.set_title(
-            f"{method}: {metrics[method]['locked_on']:.0%} of starts lock on", fontsize=10
-        )
+        axes.set(ylim=(0, 1), ylabel=f"share within {HEADING_LIMIT_DEG:g}°")
+        title = f"{method}: {metrics[method]['locked_on']:.0%} of starts lock on"
+        axes.set_title(title, fontsize=10)
     rows[-1].set_xlabel("first frame")
-    figure.savefig(path, dpi=110, format="png")
+    return figure

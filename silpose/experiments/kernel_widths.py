@@ -1,85 +1,104 @@
-"""How exactly the kernels' widths must be met: section V-A of the paper, "tolerance"."""
+"""Tolerance of the trackers to the widths of their kernels: section V-A of the paper."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from pathlib import Path
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from itertools import product
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 from sklearn.base import clone
 
-from silpose.core.errors import InputError
-from silpose.experiments.setup import Components
-from silpose.model.tracker_training import TrackerTraining, learn_to_track
-from silpose.recording import record_study
-from silpose.recording.runs.run_folder import Run
-from silpose.tracking import GIVEN, BeliefTracker, Estimate
+from silpose.core.parallel import parallel_map
+from silpose.core.parameters import POSITIVE, check_values
+from silpose.core.stages import stage
+from silpose.core.types import Array, Row
+from silpose.experiments.setup import Components, prepare_tracking
+from silpose.model import TrackerTraining
+from silpose.recording import Recording, Result, record_study
+from silpose.tracking import Estimate
 
-Array = NDArray[np.float64]
+MakeEstimate = Callable[[float, float], Estimate]
+"""From factors of β_x and β_z to a tracker."""
 
 
-def kernel_widths(rooms: Components, run: Run, factors: Sequence[float]) -> None:
-    """Multiply β_x and β_z, as chosen, by factors, for the paper's tracker and for ours.
+def kernel_widths(
+    components: Components, *, factors: Sequence[float] = (0.25, 0.5, 1, 2, 4)
+) -> Result:
+    """Multiply β_x and β_z, as chosen, by factors, for the paper's tracker and the belief tracker.
+
+    The two poses that the former is given count for none of them.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    factors : sequence of float
+    components : Components
+    factors : sequence of float, default=(0.25, 0.5, 1, 2, 4)
+        Factors of each of the two.
     """
-    if not factors or min(factors) <= 0:
-        raise InputError(f"factors must be positive, not {list(factors)}")
-    learnt = learn_to_track(rooms, run)
-    described, space = learnt.described, learnt.described.data.space
-    rows: list[dict[str, object]] = []
+    check_values("factors", POSITIVE, *factors)
+    training = prepare_tracking(components)
+    data = training.described.data
+    pairs = list(product(factors, factors))
+    rows: list[Row] = []
     series: dict[str, Array] = {}
-    grids = {}
-    with run.stage("tracking"):
-        for method, make in (("joint", _joint(learnt)), ("tracker", _tracker(learnt))):
-            grids[method] = np.empty((len(factors), len(factors)))
-            for i, on_x in enumerate(factors):
-                for j, on_z in enumerate(factors):
-                    estimate = make(on_x, on_z)
-                    errors = [space.distance(x, estimate(z, x[:GIVEN])) for z, x in described.test]
-                    grids[method][i, j] = np.concatenate(errors).mean()
-                    row = {"method": method, "beta_x_factor": on_x, "beta_z_factor": on_z}
-                    rows.append({**row, "error": float(grids[method][i, j])})
-                    if on_z == 1:
-                        series[f"{method} {on_x:g}"] = errors[0]
+    grids: dict[str, Array] = {}
+    with stage("tracking"):
+        makers = {"state_sensitive": _state_sensitive(training), "tracker": _belief(training)}
+        for method, make in makers.items():
+            tracks = parallel_map(
+                partial(_tracks, training, make), pairs, description=method, prefer="threads"
+            )
+            errors = [float(training.errors(own).mean()) for own in tracks]
+            grids[method] = np.reshape(errors, (len(factors), len(factors)))
+            for (on_x, on_z), own, error in zip(pairs, tracks, errors, strict=True):
+                row: Row = {"method": method, "beta_x_factor": on_x, "beta_z_factor": on_z}
+                rows.append({**row, "error": error})
+                if on_z == 1:
+                    series[f"{method} {on_x:g}"] = data.space.distance(data.test[0].x, own[0])
     metrics = {
         method: {"error": float(grid.min()), "widest_error": float(grid.max())}
         for method, grid in grids.items()
     }
-    with run.writing("kernel_widths.png") as path:
-        _figure(path, factors, grids)
-    record_study(
-        run.header("tolerance in the kernels' widths", metrics),
-        run.folder / "kernel_widths.png",
-        series,
-        "error for several β_x",
-        described.data.test[0].frames_per_second,
+    record = partial(
+        record_study,
+        series=series,
+        title="error for several β_x",
+        frames_per_second=training.described.frames_per_second,
     )
-    run.write_settings()
-    run.write_results([*learnt.selection.rows, *rows])
-    run.write_metrics(described.data.name, rooms.seed, metrics)
+    headline = training.validation_error("tracker")
+    return Result(
+        data.name,
+        metrics,
+        rows=[*training.selection.rows, *rows],
+        figure=_figure(factors, grids),
+        recording=Recording("tolerance in the kernels' widths", record),
+        headline=headline,
+    )
 
 
-def _joint(learnt: TrackerTraining) -> Callable[[float, float], Estimate]:
+def _tracks(
+    training: TrackerTraining, make: MakeEstimate, factors: tuple[float, float]
+) -> list[Array]:
+    """Track every test take."""
+    return training.follow({"": make(*factors)})[""]
+
+
+def _state_sensitive(training: TrackerTraining) -> MakeEstimate:
+    chosen = training.state_sensitive.regressor_
+
     def make(on_x: float, on_z: float) -> Estimate:
-        chosen = learnt.joint.regressor
-        tracker = learnt.joint_with(
+        tracker = training.state_sensitive_with(
             pose_width=chosen.pose_width * on_x, descriptor_width=chosen.descriptor_width * on_z
         )
-        return lambda z, start: tracker.track(z, start)[0]
+        return lambda z, start: tracker.track(z, start).x
 
     return make
 
 
-def _tracker(learnt: TrackerTraining) -> Callable[[float, float], Estimate]:
-    chosen: BeliefTracker = learnt.tracker
-    keys = chosen.key_poses(learnt.described.train)
+def _belief(training: TrackerTraining) -> MakeEstimate:
+    chosen = training.tracker
+    keys = chosen.key_poses(training.described.train)
 
     def make(on_x: float, on_z: float) -> Estimate:
         tracker = clone(chosen).set_params(
@@ -92,9 +111,9 @@ def _tracker(learnt: TrackerTraining) -> Callable[[float, float], Estimate]:
     return make
 
 
-def _figure(path: Path, factors: Sequence[float], grids: dict[str, Array]) -> None:
+def _figure(factors: Sequence[float], grids: Mapping[str, Array]) -> Figure:
     figure = Figure(figsize=(10, 4.5), layout="constrained")
-    ticks = [f"{f:g}" for f in factors]
+    ticks = [f"{factor:g}" for factor in factors]
     for axes, (method, grid) in zip(figure.subplots(1, len(grids)), grids.items(), strict=True):
         axes.imshow(grid, cmap="magma_r", origin="lower", vmin=grid.min(), vmax=2 * grid.min())
         for (i, j), value in np.ndenumerate(grid):
@@ -103,4 +122,4 @@ def _figure(path: Path, factors: Sequence[float], grids: dict[str, Array]) -> No
         axes.set_xticks(range(len(ticks)), ticks)
         axes.set_yticks(range(len(ticks)), ticks)
         axes.set(xlabel="factor of β_z", ylabel="factor of β_x", title=method)
-    figure.savefig(path, dpi=120, format="png")
+    return figure

@@ -1,94 +1,92 @@
-"""Poses for one's own masks."""
+"""Poses for masks of one's own."""
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
-from silpose.core.errors import InputError
-from silpose.experiments.setup import Components
-from silpose.model.pose_model import PoseModel, Poses, PredictionDetails
-from silpose.model.training import prepare
-from silpose.recording import record_prediction
-from silpose.recording.runs.run_folder import Run
+from silpose.core.stages import timed
+from silpose.experiments.setup import Components, prepare
+from silpose.model import PoseModel, Poses, PredictionDetails, load
+from silpose.recording import Recording, Result, record_prediction
 from silpose.regression import check_methods
-from silpose.silhouette import mask_names, read_masks
+from silpose.silhouette import MaskFiles
 
 
-def predict(rooms: Components, run: Run, model: str | None, show: str, lag: float) -> None:
-    """Estimate the pose behind each of the user's masks; write them as a recording and a table.
+def predict(
+    components: Components, *, model: str | None = None, show: str = "rvm", lag: float = 0.5
+) -> Result:
+    """Estimate the pose behind each of the user's masks; the table ``poses.csv`` holds them.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    model : str or None
-        Path of a run's ``model.npz``; None trains one on the rooms' dataset first.
-    show : str
-        The method to train.
-    lag : float
-        Seconds that a model that tracks may wait for later frames.
+    components : Components
+    model : str, optional
+        Path of a run's ``model.npz``; without, a model is trained on the dataset first.
+    show : str, default="rvm"
+        The regression method that is trained.
+    lag : float, default=0.5
+        Seconds that a model that tracks (of ``experiment=tracking``) may wait for later frames.
     """
     check_methods([show])
-    own = rooms.own_masks
-    if own.source is None:
-        raise InputError("predict wants masks: add silhouette=masks silhouette.source=FOLDER")
-    masks = read_masks(own.source, own.blank)
-    fitted = PoseModel.load(model) if model else _train(rooms, run, show)
-    with run.stage("prediction"):
-        look, states = _follow(fitted, fitted.explain(masks, own.blank), own.frames_per_second, lag)
-    with run.writing("poses.csv") as path:
-        _write_csv(path, mask_names(own.source, len(masks)), Poses(look.x, fitted.space), states)
-    header = run.header(f"{len(masks)} masks of `{own.source}`", {})
-    record_prediction(header, fitted, look, own.frames_per_second, states)
-    if not model:
-        with run.writing("model.npz") as path:
-            fitted.save(path)
-    run.write_settings()
-    run.write_metrics(Path(own.source).name, rooms.seed, {})
-
-
-def _follow(
-    model: PoseModel, look: PredictionDetails, frames_per_second: float, lag: float
-) -> tuple[PredictionDetails, list[str] | None]:
-    """Put tracked poses in the place of single-image ones, where the model can."""
-    if model.tracker is None:
-        return look, None
-    frames = round(lag * frames_per_second)
-    track = model.tracker.track(look.z, lag=frames, frames_per_second=frames_per_second)
-    return replace(look, x=track.x), track.state
-
-
-def _train(rooms: Components, run: Run, method: str) -> PoseModel:
-    described = prepare(rooms, run)
-    with run.stage("regression"):
-        return described.model(described.learn(rooms.candidates, [method]).regressors[method])
-
-
-def _write_csv(
-    path: Path, names: Sequence[str], estimated: Poses, states: Sequence[str] | None
-) -> None:
-    joints = [f"{j}_{axis}_m" for j in estimated.space.joint_names for axis in "xyz"]
-    columns = [
-        "frame",
-        "file",
-        *(["state"] if states else []),
-        "heading_deg",
-        "heading_norm",
-        *(f"{column}_deg" for column in estimated.space.columns[2:]),
-        *joints,
-    ]
-    positions = estimated.joints.reshape(len(estimated), -1)
-    numbers = np.column_stack(
-        [estimated.heading, estimated.heading_norm, estimated.x[:, 2:], positions]
+    files = components.masks
+    masks = files.read()
+    fitted = load(model) if model else _train(components, show)
+    details, states = _predict(fitted, masks, files, lag)
+    poses = Poses(details.x, fitted.space)
+    return Result(
+        Path(str(files.source)).name,
+        {},
+        recording=Recording(
+            f"{len(masks)} masks of `{files.source}`",
+            partial(
+                record_prediction,
+                model=fitted,
+                details=details,
+                frames_per_second=files.frames_per_second,
+                states=states,
+            ),
+        ),
+        model=None if model else fitted,
+        tables={"poses.csv": _table(files.names(len(masks)), poses, states)},
     )
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        for frame, (name, row) in enumerate(zip(names, numbers, strict=True)):
-            state = [states[frame]] if states else []
-            writer.writerow([frame, name, *state, *(f"{v:.6g}" for v in row)])
+
+
+def _train(components: Components, method: str) -> PoseModel:
+    described = prepare(components)
+    return described.model(described.choose(components.regression, [method]).regressors[method])
+
+
+@timed("prediction")
+def _predict(
+    model: PoseModel, masks: Sequence[np.ndarray], files: MaskFiles, lag: float
+) -> tuple[PredictionDetails, list[str] | None]:
+    """Estimate poses, tracked if the model can, and with the states of the track then."""
+    details = model.explain(masks, files.blank)
+    if model.tracker is None:
+        return details, None
+    rate = files.frames_per_second
+    track = model.tracker.track(details.z, lag=round(lag * rate), frames_per_second=rate)
+    return replace(details, x=track.x), track.state
+
+
+def _table(names: Sequence[str], poses: Poses, states: Sequence[str] | None) -> list[list[object]]:
+    """Lay poses out as a table, one row per frame, its titles first."""
+    titles: list[object] = [
+        *("frame", "file"),
+        *(["state"] if states else []),
+        *("heading_deg", "heading_norm"),
+        *(f"{column}_deg" for column in poses.space.columns[2:]),
+        *(f"{joint}_{axis}_m" for joint in poses.space.joint_names for axis in "xyz"),
+    ]
+    positions = poses.joints.reshape(len(poses), -1)
+    numbers = np.column_stack([poses.heading, poses.heading_norm, poses.x[:, 2:], positions])
+    table = [titles]
+    for frame, (name, row) in enumerate(zip(names, numbers, strict=True)):
+        state = [states[frame]] if states else []
+        table.append([frame, name, *state, *(f"{value:.6g}" for value in row)])
+    return table

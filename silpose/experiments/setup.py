@@ -1,87 +1,104 @@
-"""The rooms of the house, furnished as the settings say: what an experiment is given."""
+"""What experiments begin with: components, and the data that are prepared from them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from silpose.core.errors import InputError
-from silpose.dataset import Dataset, Renderer, Take
+from silpose.core.types import Metrics, Row
+from silpose.dataset import Dataset, DatasetSource, Renderer, Take
 from silpose.descriptor import ShapeContextHistogram
-from silpose.model.descriptor_cache import DescriptorCache
-from silpose.recording.runs.run_folder import Run
-from silpose.regression import Candidates
-from silpose.silhouette import Camera
-from silpose.tracking import TrackingSettings
+from silpose.model import DescribedDataset, DescriptorCache, TrackerTraining, describe_dataset
+from silpose.regression import RegressionCandidates
+from silpose.silhouette import Camera, MaskFiles
+from silpose.tracking import TrackingCandidates
 
-
-@dataclass(frozen=True)
-class OwnMasks:
-    """The user's own masks.
-
-    Attributes
-    ----------
-    source : str or None
-        A folder or a video.
-    blank : {"error", "nan"}
-        What to do about a mask without a person.
-    frames_per_second : float
-    """
-
-    source: str | None = None
-    blank: str = "error"
-    frames_per_second: float = 15.0
+MODES_SHOWN = 4
+"""Modes of p(x|z) in a recording."""
 
 
 @dataclass(frozen=True)
 class Components:
-    """One furnished house.
+    """What an experiment is made of.
 
     Attributes
     ----------
-    dataset : callable
-        Gives the `Dataset`: photographs motion, or reads a file.
-    studio : Renderer or None
-        Where motion is photographed; None where a file is read.
+    dataset : DatasetSource
+        Splits the renderer's takes, or reads a file.
+    renderer : Renderer
+        Renders masks of motion; not used by a dataset that is read from a file.
     camera : Camera
-    own_masks : OwnMasks
+        Camera of takes that have none of their own.
+    masks : MaskFiles
+        The user's own masks.
     descriptor : ShapeContextHistogram
-        Not fitted yet.
-    candidates : Candidates
-        The regressors' settings, or what to choose them from.
-    tracking : TrackingSettings
-        Likewise of trackers and their rivals.
+        Not fitted.
+    regression : RegressionCandidates
+        Regressors and mixtures, and the settings to choose from.
+    tracking : TrackingCandidates
+        Trackers and their baselines, and the settings to choose from.
     seed : int
+    cache : DescriptorCache or None
+        Holds descriptors from one run to the next.
     """
 
-    dataset: Callable[[], Dataset]
-    studio: Renderer | None
+    dataset: DatasetSource
+    renderer: Renderer
     camera: Camera
-    own_masks: OwnMasks
+    masks: MaskFiles
     descriptor: ShapeContextHistogram
-    candidates: Candidates
-    tracking: TrackingSettings
-    seed: int
-    shelf: DescriptorCache | None = None
+    regression: RegressionCandidates
+    tracking: TrackingCandidates
+    seed: int = 0
+    cache: DescriptorCache | None = None
+
+    def load(self) -> Dataset:
+        """Render or read the dataset."""
+        return self.dataset.load(self.renderer)
 
 
-def masks_of(take: Take, run: Run) -> NDArray[np.uint8]:
-    """Masks of a take, without which an experiment cannot go on."""
-    want_masks([take], run)
-    return np.asarray(take.masks)
+def prepare(components: Components) -> DescribedDataset:
+    """Render or read the dataset, fit the codebook and describe every mask."""
+    data = components.load()
+    return describe_dataset(data, components.descriptor, components.cache)
 
 
-def want_masks(takes: Sequence[Take], run: Run) -> None:
+def prepare_tracking(components: Components) -> TrackerTraining:
+    """Prepare the dataset, and what trackers are fitted with.
+
+    Raises
+    ------
+    InputError
+        If a test take is too short to be tracked.
+    """
+    described = prepare(components)
+    return TrackerTraining.of(described, components.regression, components.tracking)
+
+
+def want_masks(takes: Sequence[Take], experiment: str) -> None:
     """Refuse data without masks before time is spent on them."""
-    if any(take.masks is None for take in takes):
-        raise InputError(f"{run.experiment} wants masks: these data hold descriptors only")
+    if not all(take.has_masks for take in takes):
+        raise InputError(
+            f"{experiment} needs masks, and these data hold descriptors only: choose a dataset "
+            "that is rendered, such as dataset=same_performer"
+        )
 
 
-def studio_of(rooms: Components, run: Run) -> Renderer:
-    """Where motion is photographed, for experiments that vary how."""
-    if rooms.studio is None:
-        raise InputError(f"{run.experiment} photographs motion: it cannot vary what a file holds")
-    return rooms.studio
+def renderer_of(components: Components, experiment: str) -> Renderer:
+    """Return the renderer, for an experiment that varies how motion is rendered."""
+    if not components.dataset.rendered:
+        raise InputError(
+            f"{experiment} renders motion and cannot vary what a file holds: choose a dataset "
+            "that is rendered, such as dataset=same_performer"
+        )
+    return components.renderer
+
+
+def tidy(metrics: Metrics) -> list[Row]:
+    """Rows of ``results.csv``: one per method and value."""
+    return [
+        {"method": method, "metric": name, "value": value}
+        for method, values in metrics.items()
+        for name, value in values.items()
+    ]

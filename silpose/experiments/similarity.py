@@ -1,47 +1,44 @@
-"""Are descriptors alike where poses are? Section II-A of the paper, Fig. 3."""
+"""Are descriptors similar where poses are? Section II-A of the paper, Fig. 3."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fnmatch import fnmatchcase
-from pathlib import Path
+from functools import partial
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 from scipy.spatial.distance import pdist, squareform
 from scipy.stats import rankdata, spearmanr
 
 from silpose.core.pose_space import PoseSpace
+from silpose.core.stages import stage
+from silpose.core.types import Array, Metrics
 from silpose.dataset import Dataset, Take
 from silpose.experiments.setup import Components
-from silpose.model.describe import examples, learn_descriptor
-from silpose.recording import record_study
-from silpose.recording.runs.run_folder import Run
+from silpose.model import describe_takes, fit_descriptor
+from silpose.recording import Recording, Result, record_study
 
-Array = NDArray[np.float64]
-
-APART = 15  # frames that two poses are apart to count as met again
+APART = 15  # frames between two frames of similar poses, at least
 
 
-def similarity(rooms: Components, run: Run, sequences: Sequence[str]) -> None:
+def similarity(components: Components, *, sequences: Sequence[str] = ("train_5",)) -> Result:
     """Compare every two frames of a walk by their descriptors, and by their true poses.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    sequences : sequence of str
-        Names or globs; the first sequence that one of them matches is looked at, else the first
-        for testing.
+    components : Components
+    sequences : sequence of str, default=("train_5",)
+        Names or globs of takes, by default the figure's own; the first take that one of them
+        matches is compared, else the first test take.
     """
-    with run.stage("masks"):
-        data = rooms.dataset()
+    data = components.load()
     take = _choose(data, sequences)
-    with run.stage("descriptors"):
-        ((z, x),) = examples(learn_descriptor(rooms.descriptor, data.train), [take])
-    with run.stage("similarity"):
-        between = {
+    with stage("descriptors"):
+        descriptor = fit_descriptor(components.descriptor, data.train)
+        ((z, x),) = describe_takes(descriptor, [take])
+    with stage("similarity"):
+        distances = {
             "descriptors": pdist(z),
             "descriptors, Hellinger": pdist(np.sqrt(z)),
             "poses": _pose_distances(data.space, x),
@@ -49,33 +46,31 @@ def similarity(rooms: Components, run: Run, sequences: Sequence[str]) -> None:
         joints = pdist(data.space.joints(x).reshape(len(x), -1))
         metrics = {
             name: {
-                "rank_correlation": _rank_correlation(distances, between["poses"]),
-                "rank_correlation_joints": _rank_correlation(distances, joints),
-                "nearest_pairs": _nearest_pairs(distances, between["poses"], len(x)),
+                "rank_correlation": _rank_correlation(own, distances["poses"]),
+                "rank_correlation_joints": _rank_correlation(own, joints),
+                "nearest_pairs": _nearest_pairs(own, distances["poses"], len(x)),
             }
-            for name, distances in between.items()
+            for name, own in distances.items()
             if name != "poses"
         }
-    # Shares of all pairs that are farther apart: descriptors and poses on one scale.
-    alike = {name: squareform(1 - rankdata(d) / len(d)) for name, d in between.items()}
-    for matrix in alike.values():
-        np.fill_diagonal(matrix, 1.0)
-    with run.writing("similarity.png") as path:
-        _figure(path, alike, metrics, take)
+        similar = {name: _similarities(own) for name, own in distances.items()}
     middle = len(take) // 2
-    record_study(
-        run.header(f"sequence {take.name} by {take.performer}", metrics),
-        run.folder / "similarity.png",
-        {name: matrix[middle] for name, matrix in alike.items()},
-        f"similarity to frame {middle}: share of all pairs that are less alike",
-        take.frames_per_second,
-        [] if take.masks is None else list(take.masks),
+    record = partial(
+        record_study,
+        series={name: matrix[middle] for name, matrix in similar.items()},
+        title=f"similarity to frame {middle}: share of all pairs that are less similar",
+        frames_per_second=take.frames_per_second,
+        masks=take.mask_array() if take.has_masks else (),
     )
-    run.write_settings()
-    run.write_results(
-        [{"distance": name, **values, "frames": len(take)} for name, values in metrics.items()]
+    return Result(
+        data.name,
+        metrics,
+        rows=[
+            {"distance": name, **values, "frames": len(take)} for name, values in metrics.items()
+        ],
+        figure=_figure(similar, metrics, take.name),
+        recording=Recording(f"take {take.name} by {take.performer}", record),
     )
-    run.write_metrics(data.name, rooms.seed, metrics)
 
 
 def _choose(data: Dataset, globs: Sequence[str]) -> Take:
@@ -88,6 +83,13 @@ def _pose_distances(space: PoseSpace, x: Array) -> Array:
     """Distance of every two poses under the reported metric, as `pdist` orders them."""
     rows = [space.distance(x[k : k + 1], x[k + 1 :]) for k in range(len(x) - 1)]
     return np.concatenate(rows)
+
+
+def _similarities(distances: Array) -> Array:
+    """Shares (n, n) of all pairs that are farther apart: the same scale for any distance."""
+    matrix = squareform(1 - rankdata(distances) / len(distances))
+    np.fill_diagonal(matrix, 1.0)
+    return matrix
 
 
 def _rank_correlation(a: Array, b: Array) -> float:
@@ -107,19 +109,16 @@ def _nearest_pairs(descriptors: Array, poses: Array, frames: int) -> float:
     return float(rankdata(poses[apart])[nearest].mean() / apart.sum())
 
 
-def _figure(
-    path: Path, alike: dict[str, Array], metrics: dict[str, dict[str, float]], take: Take
-) -> None:
-    figure = Figure(figsize=(4.6 * len(alike) + 0.6, 5.2), layout="constrained")
-    for axes, (name, matrix) in zip(figure.subplots(1, len(alike)), alike.items(), strict=True):
+def _figure(similar: Mapping[str, Array], metrics: Metrics, take: str) -> Figure:
+    figure = Figure(figsize=(4.6 * len(similar) + 0.6, 5.2), layout="constrained")
+    for axes, (name, matrix) in zip(figure.subplots(1, len(similar)), similar.items(), strict=True):
         picture = axes.imshow(matrix, cmap="magma", vmin=0, vmax=1)
-        values = metrics.get(name)
-        beside = "\n"
-        if values:
-            poses, joints = (values[f"rank_correlation{of}"] for of in ("", "_joints"))
-            beside += f"rank correlation with poses {poses:.2f}, with joint positions {joints:.2f}"
-        axes.set_title(name + beside, fontsize=10)
+        title = f"{name}\n"
+        if name in metrics:
+            poses, joints = (metrics[name][f"rank_correlation{of}"] for of in ("", "_joints"))
+            title += f"rank correlation with poses {poses:.2f}, with joint positions {joints:.2f}"
+        axes.set_title(title, fontsize=10)
         axes.set_xlabel("frame")
-    figure.colorbar(picture, ax=axes, label="share of all pairs that are less alike", shrink=0.8)
-    figure.suptitle(f"every two frames of {take.name}: bright where they are alike")
-    figure.savefig(path, dpi=110, format="png")
+    figure.colorbar(picture, ax=axes, label="share of all pairs that are less similar", shrink=0.8)
+    figure.suptitle(f"every two frames of {take}: bright where they are similar")
+    return figure

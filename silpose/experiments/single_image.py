@@ -2,103 +2,105 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Mapping, Sequence
+from functools import partial
 
 from silpose.core.errors import InputError
+from silpose.core.types import Array, Row
 from silpose.evaluation import heading_confidence, key_angles
-from silpose.experiments.figures import single_image_figure
-from silpose.experiments.setup import Components
-from silpose.model.pose_model import PoseModel
-from silpose.model.training import DescribedDataset, compare, prepare, tidy
-from silpose.recording import Reasons, Truth, record_single_image
-from silpose.recording.runs.run_folder import Run
+from silpose.experiments.setup import Components, prepare, tidy
+from silpose.experiments.single_image_figure import single_image_figure
+from silpose.model import DescribedDataset, PoseModel, compare
+from silpose.recording import (
+    GroundTruth,
+    Header,
+    InfluentialExamples,
+    Recording,
+    Result,
+    record_single_image,
+)
 from silpose.regression import check_methods
+from silpose.silhouette import Camera
 
-Array = NDArray[np.float64]
 
-
-def single_image(rooms: Components, run: Run, methods: Sequence[str], show: str) -> None:
-    """Learn to see pose in silhouettes, and look at how well it goes on unseen sequences.
+def single_image(
+    components: Components,
+    *,
+    methods: Sequence[str] = ("ridge", "rvm", "rvm_18", "rvm_6"),
+    show: str = "rvm",
+) -> Result:
+    """Train and evaluate single-image regressors.
 
     Parameters
     ----------
-    rooms : Components
-    run : Run
-    methods : sequence of str
+    components : Components
+    methods : sequence of str, default=("ridge", "rvm", "rvm_18", "rvm_6")
         Regression methods; the baselines stand beside them always.
-    show : str
-        The method to draw and to keep.
+    show : str, default="rvm"
+        The method that is drawn in the recording and kept in ``model.npz``.
     """
-    if rooms.own_masks.source is not None:
-        raise InputError("one's own masks have no true poses to learn: add experiment=predict")
+    if components.masks.source is not None:
+        raise InputError(
+            "masks of one's own have no true poses to train on: add experiment=predict"
+        )
     check_methods(methods)
     if show not in methods:
         raise InputError(f"show={show} is none of the methods {', '.join(methods)}")
-    described = prepare(rooms, run)
-    with run.stage("regression"):
-        chosen = described.learn(rooms.candidates, methods)
-    with run.stage("evaluation"):
-        estimates, metrics = compare(described, chosen.regressors)
-        for method in methods:
-            true = np.concatenate([x for _, x in described.test])
-            metrics[method] |= heading_confidence(described.data.space, true, estimates[method])
-        keys = key_angles(described.data.space, true, estimates[show])
-    with run.stage("recording"):
-        model = described.model(chosen.regressors[show])
-        _write(rooms, run, described, model, estimates, metrics, keys, show)
-    run.write_settings()
-    run.write_results([*chosen.rows, *tidy(metrics), *({"method": show, **row} for row in keys)])
-    run.write_metrics(described.data.name, rooms.seed, metrics)
+    described = prepare(components)
+    chosen = described.choose(components.regression, methods)
+    headline = chosen.validation_error(show)
+    estimates, metrics = compare(described, chosen.regressors)
+    space, (_, true) = described.data.space, described.joined("test")
+    for method in methods:
+        metrics[method] |= heading_confidence(space, true, estimates[method])
+    angles = key_angles(space, true, estimates[show])
+    model = described.model(chosen.regressors[show])
+    take = described.data.test[0]
+    camera = take.camera_or(components.camera)
+    of_take = {method: x[: len(take)] for method, x in estimates.items()}
+    errors = {method: values[space.metrics[0]] for method, values in metrics.items()}
+    words = (
+        f"test take {take.name} by {take.performer}; RMS errors of {show}: "
+        f"{', '.join(map(_in_words, angles))}"
+    )
+    record = partial(_record, described, model, of_take, show, components.camera)
+    return Result(
+        described.data.name,
+        metrics,
+        rows=[*chosen.rows, *tidy(metrics), *({"method": show, **row} for row in angles)],
+        figure=single_image_figure(space, camera, take, of_take[show], errors, show),
+        recording=Recording(words, record),
+        model=model,
+        headline=headline,
+    )
 
 
-def _write(
-    rooms: Components,
-    run: Run,
+def _record(
     described: DescribedDataset,
     model: PoseModel,
-    estimates: dict[str, Array],
-    metrics: dict[str, dict[str, float]],
-    keys: list[dict[str, object]],
+    estimates: Mapping[str, Array],
     show: str,
+    default_camera: Camera,
+    header: Header,
 ) -> None:
-    data, take = described.data, described.data.test[0]  # the first test sequence is looked at
-    camera = take.camera or rooms.camera
-    frames = slice(0, len(take))
-    errors = {m: data.space.distance(take.x, e[frames]) for m, e in estimates.items()}
-    look = (
-        model.explain(np.asarray(take.masks))
-        if take.masks is not None
+    """Record the first test take with all intermediate results."""
+    data, take = described.data, described.data.test[0]
+    details = (
+        model.explain(take.mask_array())
+        if take.has_masks
         else model.explain_descriptors(described.test[0][0])
     )
-    with run.writing("model.npz") as path:
-        model.save(path)
+    errors = {method: data.space.distance(take.x, x) for method, x in estimates.items()}
     record_single_image(
-        run.header(
-            f"test sequence {take.name} by {take.performer}; RMS errors of {show}: "
-            + ", ".join(_in_words(key) for key in keys),
-            metrics,
-        ),
+        header,
         model,
-        look,
-        Truth.of(take, camera, errors, data.space),
+        details,
+        GroundTruth.of(take, take.camera_or(default_camera), errors, data.space),
         [show, "nearest", "mean_pose"],
-        Reasons.of(model.regressor, look, data.train, rooms.camera, data.space),
+        InfluentialExamples.of(model.regressor, details, data.train, default_camera, data.space),
     )
-    with run.writing("single_image.png") as path:
-        single_image_figure(
-            path,
-            data.space,
-            camera,
-            take,
-            estimates[show][frames],
-            {m: values[data.space.metrics[0]] for m, values in metrics.items()},
-            show,
-        )
 
 
-def _in_words(key: dict[str, object]) -> str:
-    angle = str(key["metric"]).removesuffix("_rms_deg").replace("_", " ")
-    return f"{angle} {key['value']:.1f}° in a range of {key['range_deg']:.0f}°"
+def _in_words(row: Row) -> str:
+    angle = str(row["metric"]).removesuffix("_rms_deg").replace("_", " ")
+    return f"{angle} {row['value']:.1f}° in a range of {row['range_deg']:.0f}°"

@@ -1,1 +1,28 @@
-"""TODO."""
+"""From masks to poses: describing a dataset, training on it, and `PoseModel`, which is saved.
+
+Takes a `Dataset`, fits descriptor, regressors and trackers to it, and hands the fitted parts to
+experiments, to recordings, and as one file to whoever loads it.
+"""
+
+from silpose.model.describe import describe, describe_takes, fit_descriptor
+from silpose.model.descriptor_cache import DescriptorCache
+from silpose.model.loading import load
+from silpose.model.pose_model import PoseModel
+from silpose.model.poses import Poses, PredictionDetails
+from silpose.model.tracker_training import TrackerTraining
+from silpose.model.training import DescribedDataset, compare, describe_dataset
+
+__all__ = [
+    "DescribedDataset",
+    "DescriptorCache",
+    "PoseModel",
+    "Poses",
+    "PredictionDetails",
+    "TrackerTraining",
+    "compare",
+    "describe",
+    "describe_dataset",
+    "describe_takes",
+    "fit_descriptor",
+    "load",
+]

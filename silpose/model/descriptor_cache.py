@@ -1,4 +1,4 @@
-"""Descriptors kept on disk, and taken from there as long as nothing they depend on has changed."""
+"""Descriptors cached on disk, valid as long as nothing they depend on has changed."""
 
 from __future__ import annotations
 
@@ -7,22 +7,21 @@ import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
+from silpose.core.types import Array
 from silpose.descriptor import ShapeContextHistogram
-
-Array = NDArray[np.float64]
 
 _FORMAT = 1  # to be raised when masks or descriptors change for the same settings
 
 
 @dataclass(frozen=True)
 class DescriptorCache:
-    """One place in a folder, named by everything that descriptors depend on.
+    """One file in a folder, named by everything that descriptors depend on.
 
     Attributes
     ----------
@@ -32,14 +31,35 @@ class DescriptorCache:
     file: Path
 
     @classmethod
-    def of(cls, folder: str | Path, settings: Any, files: Iterable[Path]) -> DescriptorCache:
-        """Name the place by settings (of plain values) and the files that are read."""
+    def of(cls, folder: str | Path, settings: Any, files: Iterable[Path]) -> Self:
+        """Name the cache by what descriptors depend on.
+
+        Parameters
+        ----------
+        folder : path
+        settings : plain values, lists and mappings of them
+        files : iterable of Path
+            Files that masks are made from.
+        """
         stats = [(str(f), f.stat().st_size, f.stat().st_mtime_ns) for f in files]
         key = json.dumps([_FORMAT, settings, stats], sort_keys=True)
         return cls(Path(folder) / f"{hashlib.sha256(key.encode()).hexdigest()[:20]}.npz")
 
     def fetch(self, lengths: Sequence[int]) -> tuple[ShapeContextHistogram, list[Array]] | None:
-        """Give the fitted descriptor and z (F, d) of every sequence; None if they are not kept."""
+        """Read the cache.
+
+        Parameters
+        ----------
+        lengths : sequence of int
+            Frames of each take.
+
+        Returns
+        -------
+        descriptor : ShapeContextHistogram
+            Fitted.
+        z : list of ndarray, each (F, d)
+            Instead of both, None where nothing is cached.
+        """
         if not self.file.is_file():
             return None
         try:
@@ -54,14 +74,13 @@ class DescriptorCache:
         return descriptor, np.split(z, np.cumsum(lengths)[:-1])
 
     def store(self, descriptor: ShapeContextHistogram, z: Sequence[Array]) -> None:
-        """Keep them; the file gets its name only once it is whole."""
+        """Write the fitted descriptor and z (F, d) of every take."""
         try:
             self.file.parent.mkdir(parents=True, exist_ok=True)
-            partial = self.file.with_name(f".{self.file.stem}.partial.npz")
-            np.savez(partial, z=np.concatenate(z), **descriptor.to_arrays())
-            partial.replace(self.file)
         except OSError as error:
             raise InputError(
                 f"cannot write to '{self.file.parent}' ({error.strerror}): "
-                "choose another dataset.keep"
+                "choose another dataset.cache"
             ) from error
+        with writing(self.file) as path:
+            np.savez(path, z=np.concatenate(z), **descriptor.to_arrays())

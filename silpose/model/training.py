@@ -1,4 +1,4 @@
-"""What most experiments begin with: data, descriptors, regressors chosen by validation."""
+"""A described dataset, and the single-image models fitted to it."""
 
 from __future__ import annotations
 
@@ -6,40 +6,44 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 
-from silpose.dataset import Dataset, poses
+from silpose.core.stages import timed
+from silpose.core.types import Array, Examples, Metrics
+from silpose.dataset import Dataset
 from silpose.descriptor import ShapeContextHistogram
 from silpose.evaluation import baselines, measure
-from silpose.experiments.setup import Components
-from silpose.model.describe import describe, learn_descriptor
+from silpose.model.describe import describe, fit_descriptor
+from silpose.model.descriptor_cache import DescriptorCache
 from silpose.model.pose_model import PoseModel
-from silpose.recording.runs.run_folder import Run
 from silpose.regression import (
     Candidates,
-    Chosen,
+    ChosenMixture,
+    ChosenRegressors,
     MixtureOfRegressors,
-    MixtureSettings,
+    RegressionCandidates,
     Regressor,
     RidgeRegressor,
     choose_mixture,
+    choose_regressors,
 )
+from silpose.tracking import Tracker
 
-Array = NDArray[np.float64]
-Examples = list[tuple[Array, Array]]
 Error = Callable[[Array, Array], float]
+"""From true and estimated poses (F, D) to one number."""
 
 
 @dataclass(frozen=True)
 class DescribedDataset:
-    """A dataset whose masks are described.
+    """A dataset and its descriptors.
 
     Attributes
     ----------
     data : Dataset
     descriptor : ShapeContextHistogram or None
-    train, validation, test : list of (z, x)
-        Of each sequence.
+        None where the dataset holds descriptors of unknown origin.
+    train, validation, test : sequence of (z, x)
+        Descriptors (F, d) and poses (F, D) of each take.
     """
 
     data: Dataset
@@ -48,117 +52,166 @@ class DescribedDataset:
     validation: Examples
     test: Examples
 
-    def learn(
-        self,
-        candidates: Candidates,
-        methods: Sequence[str],
-        part: str | None = None,
-    ) -> Chosen:
-        """Fit methods with the settings best on validation, to the whole pose or to one part."""
-        train, validation = self.examples("train", part), self.examples("validation", part)
-        space = self.data.space
-        units = space.units if part is None else space.units[space.parts[part]]
-        return candidates.choose(methods, train, validation, self.error(part), units, self.groups)
-
-    def learn_ridge(self, candidates: Candidates) -> RidgeRegressor:
-        """Fit kernel ridge regression with the settings best on validation."""
-        ridge = self.learn(candidates, ["ridge"]).regressors["ridge"]
-        assert isinstance(ridge, RidgeRegressor)
-        return ridge
-
-    def learn_mixture(
-        self, settings: MixtureSettings, shared: Regressor
-    ) -> tuple[MixtureOfRegressors, list[dict[str, object]]]:
-        """Fit the mixture of regressors likeliest on validation; give the account of it, too.
+    @timed("regression")
+    def choose(
+        self, candidates: RegressionCandidates, methods: Sequence[str], part: str | None = None
+    ) -> ChosenRegressors:
+        """Fit regression methods with the settings best on validation.
 
         Parameters
         ----------
-        settings : MixtureSettings
+        candidates : RegressionCandidates
+        methods : sequence of str
+        part : str, optional
+            A body part, whose columns alone are regressed; the whole pose if not given.
+        """
+        space = self.data.space
+        units: ArrayLike = space.units if part is None else space.units[space.parts[part]]
+        return choose_regressors(
+            candidates,
+            methods,
+            self.examples("train", part),
+            self.examples("validation", part),
+            self.error(part),
+            units=units,
+            groups=self.groups,
+        )
+
+    def choose_ridge(self, candidates: RegressionCandidates) -> RidgeRegressor:
+        """Fit kernel ridge regression with the settings best on validation."""
+        ridge = self.choose(candidates, ["ridge"]).regressors["ridge"]
+        assert isinstance(ridge, RidgeRegressor)
+        return ridge
+
+    @timed("regression")
+    def choose_mixture(
+        self, candidates: Candidates[MixtureOfRegressors], shared: Regressor
+    ) -> ChosenMixture:
+        """Fit the mixture of regressors that is likeliest on validation.
+
+        Parameters
+        ----------
+        candidates : Candidates of MixtureOfRegressors
         shared : Regressor
-            With the settings best on validation.
+            Single-image regressor, with the settings best on validation.
         """
         space = self.data.space
         return choose_mixture(
-            self.train, self.validation, settings, space.units, space.distance, self.groups, shared
+            candidates,
+            self.train,
+            self.validation,
+            units=space.units,
+            distance=space.distance,
+            groups=self.groups,
+            shared=shared,
         )
 
     @property
     def groups(self) -> list[str] | None:
-        """Performers of the training sequences, where these are what may not be mixed."""
+        """Performers of the training takes, where folds may not mix these."""
         return [take.performer for take in self.data.train] if self.data.by_performer else None
 
+    @property
+    def frames_per_second(self) -> float:
+        """Rate of the test takes."""
+        return self.data.test[0].frames_per_second
+
     def examples(self, split: str, part: str | None = None) -> Examples:
-        """Give z and x of each sequence of a split, x whole or one part's columns."""
+        """Descriptors and poses of each take.
+
+        Parameters
+        ----------
+        split : {"train", "validation", "test"}
+        part : str, optional
+            A body part, of whose columns the poses consist.
+        """
         examples: Examples = getattr(self, split)
         if part is None:
             return examples
         columns = self.data.space.parts[part]
         return [(z, x[:, columns]) for z, x in examples]
 
+    def joined(self, split: str) -> tuple[Array, Array]:
+        """Descriptors (n, d) and poses (n, D) of all takes of a split, one after the other."""
+        z, x = zip(*self.examples(split), strict=True)
+        return np.concatenate(z), np.concatenate(x)
+
     def error(self, part: str | None = None) -> Error:
-        """Give the function that measures true against estimated poses, whole or of a part."""
+        """Mean distance of true and estimated poses, as a function; whole or of a body part."""
         return lambda true, estimated: float(self.distances(part, true, estimated).mean())
 
     def distances(self, part: str | None, true: Array, estimated: Array) -> Array:
-        """Distance of whole poses, or of a part's columns, frame by frame."""
+        """Distance of whole poses (F, D), or of a body part's columns, shape (F,)."""
         space = self.data.space
         if part is None:
             return space.distance(true, estimated)
         return space.part_distance(part, true, estimated)
 
     def mean_pose(self, part: str | None = None) -> Array:
-        """Mean training pose, whole or of a part, shape (D,)."""
+        """Mean training pose, whole or of a body part, shape (D,)."""
         return np.concatenate([x for _, x in self.examples("train", part)]).mean(axis=0)
 
-    def model(self, regressor: Regressor) -> PoseModel:
-        """Put what was learnt together."""
+    def model(self, regressor: Regressor, tracker: Tracker | None = None) -> PoseModel:
+        """Combine the descriptor with what was fitted to its output."""
         return PoseModel(
-            self.descriptor, regressor, self.data.space, self.data.test[0].frames_per_second
+            self.descriptor, regressor, self.data.space, self.frames_per_second, tracker
         )
 
 
-def prepare(rooms: Components, run: Run) -> DescribedDataset:
-    """Photograph or read the dataset, learn the codebook, describe every mask."""
-    with run.stage("masks"):
-        data = rooms.dataset()
-    with run.stage("descriptors"):
-        return described(rooms, data)
+@timed("descriptors")
+def describe_dataset(
+    data: Dataset, descriptor: ShapeContextHistogram, cache: DescriptorCache | None = None
+) -> DescribedDataset:
+    """Fit the codebook and describe every mask.
 
-
-def described(rooms: Components, data: Dataset) -> DescribedDataset:
-    """Learn the codebook and describe every mask, or take both from the shelf."""
+    Parameters
+    ----------
+    data : Dataset
+    descriptor : ShapeContextHistogram
+        Never changed: a copy is fitted to the training masks.
+    cache : DescriptorCache, optional
+        Both are read from it, if it holds them, and else written to it.
+    """
     splits = [data.train, data.validation, data.test]
-    lengths = [len(take) for split in splits for take in split]
-    kept = rooms.shelf.fetch(lengths) if rooms.shelf else None
-    descriptor = kept[0] if kept else learn_descriptor(rooms.descriptor, data.train)
-    z = kept[1] if kept else [own for split in splits for own in describe(descriptor, split)]
-    if rooms.shelf and descriptor is not None and not kept:
-        rooms.shelf.store(descriptor, z)
+    cached = cache.fetch([len(take) for split in splits for take in split]) if cache else None
+    if cached:
+        fitted: ShapeContextHistogram | None = cached[0]
+        z = cached[1]
+    else:
+        fitted = fit_descriptor(descriptor, data.train)
+        z = [own for split in splits for own in describe(fitted, split)]
+        if cache and fitted is not None:
+            cache.store(fitted, z)
     rest = iter(z)
     parts = ([(next(rest), take.x) for take in split] for split in splits)
-    return DescribedDataset(data, descriptor, *parts)
+    return DescribedDataset(data, fitted, *parts)
 
 
+@timed("evaluation")
 def compare(
     described: DescribedDataset, regressors: dict[str, Regressor]
-) -> tuple[dict[str, Array], dict[str, dict[str, float]]]:
-    """Estimate the test poses by the baselines and by regressors, and measure all of them."""
+) -> tuple[dict[str, Array], Metrics]:
+    """Estimate the test poses by the baselines and by regressors, and measure all of them.
+
+    Parameters
+    ----------
+    described : DescribedDataset
+    regressors : dict of Regressor
+        Fitted, by method.
+
+    Returns
+    -------
+    estimates : dict of ndarray, shape (n, D)
+        By method, of all test takes one after the other.
+    metrics : dict
+        By method, then by name.
+    """
     space = described.data.space
-    z_train, x_train = (np.concatenate(part) for part in zip(*described.train, strict=True))
-    z_test = np.concatenate([z for z, _ in described.test])
-    x_test = poses(described.data.test)
-    estimates = baselines(space, z_train, x_train, z_test, x_test)
-    estimates |= {m: regressor.predict(z_test) for m, regressor in regressors.items()}
-    metrics = {m: measure(space, x_test, e, x_train) for m, e in estimates.items()}
+    z_train, x_train = described.joined("train")
+    z, x = described.joined("test")
+    estimates = baselines(space, z_train, x_train, z, x)
+    estimates |= {m: regressor.predict(z) for m, regressor in regressors.items()}
+    metrics = {m: measure(space, x, e, x_train) for m, e in estimates.items()}
     for method, regressor in regressors.items():
         metrics[method] |= {"kept": regressor.kept_, "kept_per_output": regressor.kept_per_output_}
     return estimates, metrics
-
-
-def tidy(metrics: dict[str, dict[str, float]]) -> list[dict[str, object]]:
-    """Rows of ``results.csv``: one per method and value."""
-    return [
-        {"method": method, "metric": name, "value": value}
-        for method, values in metrics.items()
-        for name, value in values.items()
-    ]

@@ -1,4 +1,4 @@
-"""BVH out: a motion as a file that Blender and others open."""
+"""Export of motion as BVH, which Blender and other programs open."""
 
 from __future__ import annotations
 
@@ -6,30 +6,33 @@ from pathlib import Path
 
 import numpy as np
 import pybvh
-from numpy.typing import NDArray
 from pybvh.bvhnode import BvhEndSite, BvhJoint, BvhNode, BvhRoot
 from scipy.spatial.transform import Rotation
 
 from silpose.core import skeleton
 from silpose.core.errors import InputError
+from silpose.core.types import Array
 from silpose.motion.motion import Motion
 
-Array = NDArray[np.float64]
-
-_SPINE = ("spine_1", "spine_2", "chest")  # which share the chest's rotation, a third each
+_SPINE = ("spine_1", "spine_2", "chest")  # each turns a third of the chest's rotation
 _CHANNELS = "ZYX"
 
 
 def save_bvh(file: str | Path, motion: Motion) -> None:
-    """Write a motion as BVH: our joints by their names, metres, +Y up.
+    """Write a motion as BVH: the skeleton's joints by their names, metres, +Y up.
 
     Parameters
     ----------
     file : str or Path
         Ends in ``.bvh``.
     motion : Motion
-        A frame of NaN, where a track has no answer, repeats the one before it, or at the beginning
-        the first that has one.
+        A frame of NaN, where a track has no pose, repeats the frame before it, or at the beginning
+        the first frame with a pose.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be written, or no frame has a pose.
     """
     file = Path(file)
     angles, root = _without_gaps(motion.angles), _without_gaps(motion.root_position)
@@ -53,7 +56,7 @@ def save_bvh(file: str | Path, motion: Motion) -> None:
 
 
 def _skeleton() -> tuple[list[BvhNode], list[str]]:
-    """Nodes in the order of a file, each after its parent, and the names of those that turn."""
+    """Nodes in the order of a file, each after its parent, and the names of those that rotate."""
     nodes: list[BvhNode] = []
     joints: list[str] = []
 
@@ -92,7 +95,7 @@ def _skeleton() -> tuple[list[BvhNode], list[str]]:
 def _without_gaps(rows: Array) -> Array:
     known = np.isfinite(rows).all(axis=1)
     if not known.any():
-        raise InputError("a motion without a single known frame cannot be saved")
+        raise InputError("no frame of the motion has a pose: there is nothing to save")
     last = np.maximum.accumulate(np.where(known, np.arange(len(rows)), -1))
     last[last < 0] = int(np.argmax(known))
     return rows[last]

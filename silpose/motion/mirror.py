@@ -1,17 +1,14 @@
-"""Motion seen in a mirror: left and right swapped, limbs pointing exactly the mirrored way."""
+"""Mirrored motion: left and right swapped, limbs pointing exactly the mirrored way."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from silpose.core import skeleton
 from silpose.core.skeleton import LIMBS, local_rotations, smallest_rotation
 from silpose.motion.motion import Motion
-
-Array = NDArray[np.float64]
 
 _FLIP = np.diag([-1.0, 1.0, 1.0])
 
@@ -19,8 +16,8 @@ _FLIP = np.diag([-1.0, 1.0, 1.0])
 def mirrored(motion: Motion) -> Motion:
     """Swap left and right.
 
-    To change the signs of angles would not do: the two sides of our skeleton, which are those of
-    the mannequin, differ, and an arm would be off by up to eight degrees.
+    Changing the signs of angles is not enough: the two sides of the skeleton, as of the mannequin,
+    differ, and an arm would be off by up to eight degrees.
 
     Parameters
     ----------

@@ -1,18 +1,15 @@
-"""Motion: what every source of poses hands on."""
+"""Poses over time, as every source of motion gives them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
-Array = NDArray[np.float64]
+from silpose.core.types import Array
 
 
 @dataclass(frozen=True)
 class Motion:
-    """One continuous take of one performer, on our skeleton.
+    """One continuous take of one performer, on the project's skeleton.
 
     Attributes
     ----------
@@ -27,8 +24,8 @@ class Motion:
         the person's own left.
     root_position : ndarray, shape (F, 3)
         Metres, in the world, +Y up; the ground is at height 0.
-    synthetic : bool
-        Whether it comes from a model fitted to real performers, and so is no stranger to them.
+    synthetic : bool, default=False
+        Whether it comes from a model that was fitted to real performers, so that none is unseen.
     """
 
     name: str
@@ -42,7 +39,7 @@ class Motion:
         return len(self.angles)
 
     def part(self, start: int, stop: int) -> Motion:
-        """Cut frames out."""
+        """Frames from `start` to `stop`, the last one excluded."""
         return replace(
             self, angles=self.angles[start:stop], root_position=self.root_position[start:stop]
         )

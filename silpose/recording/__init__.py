@@ -1,4 +1,9 @@
-"""Recordings: the only room that knows Rerun, and loads it only when there is need."""
+"""Recordings of runs, and the folders that runs leave behind.
+
+`runs` writes what an experiment found and reads it back, `layout` arranges the viewer's views,
+`viewer` runs the viewer itself; the other modules log arrays of each package to Rerun. This is the
+only package that knows Rerun, and ``import silpose.recording`` does not load it.
+"""
 
 from __future__ import annotations
 
@@ -7,15 +12,27 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from silpose.core.lazy_exports import lazy_exports
+
 if TYPE_CHECKING:
     from silpose.recording.codebook import codebook_picture
-    from silpose.recording.ground_truth import Truth
+    from silpose.recording.ground_truth import GroundTruth
     from silpose.recording.header import Header
     from silpose.recording.hypotheses import record_hypotheses, record_modes
-    from silpose.recording.influential_examples import Reasons
-    from silpose.recording.read import Tracks, read_poses, read_tracks
-    from silpose.recording.runs.comparison import compare
-    from silpose.recording.runs.server import serve
+    from silpose.recording.influential_examples import InfluentialExamples
+    from silpose.recording.read import RecordedPoses, read_poses, read_recording
+    from silpose.recording.runs import (
+        FinishedRun,
+        Recording,
+        Result,
+        RunFolder,
+        compare,
+        load_poses,
+        load_run,
+        runs_table,
+        serve,
+        write_result,
+    )
     from silpose.recording.single_image import record_prediction, record_single_image
     from silpose.recording.sinks import Sinks
     from silpose.recording.study import (
@@ -25,64 +42,81 @@ if TYPE_CHECKING:
         record_study,
     )
     from silpose.recording.tracking import record_extinction, record_tracking
-    from silpose.recording.viewer.notebook import show
-    from silpose.recording.viewer.repair import repair
-    from silpose.recording.viewer.screenshots import film, picture
+    from silpose.recording.viewer import film, open_recording, picture, repair, show
 
-_HOMES = {
+_EXPORTS = {
     "codebook": ("codebook_picture",),
-    "runs.comparison": ("compare",),
+    "ground_truth": ("GroundTruth",),
     "header": ("Header",),
-    "hypotheses": ("record_hypotheses", "record_modes"),
-    "viewer.notebook": ("show",),
-    "viewer.screenshots": ("film", "picture"),
-    "read": ("Tracks", "read_poses", "read_tracks"),
-    "influential_examples": ("Reasons",),
-    "single_image": ("record_prediction", "record_single_image"),
-    "viewer.repair": ("repair",),
+    "influential_examples": ("InfluentialExamples",),
+    "read": ("RecordedPoses", "read_poses", "read_recording"),
+    "runs": (
+        "FinishedRun",
+        "Recording",
+        "Result",
+        "RunFolder",
+        "compare",
+        "load_poses",
+        "load_run",
+        "runs_table",
+        "serve",
+        "write_result",
+    ),
     "sinks": ("Sinks",),
-    "study": ("record_bridges", "record_context_space", "record_features", "record_study"),
-    "tracking": ("record_extinction", "record_tracking"),
-    "ground_truth": ("Truth",),
-    "runs.server": ("serve",),
+    "viewer": ("film", "open_recording", "picture", "repair", "show"),
+}
+_RECORDERS = {
+    "record_bridges": "study",
+    "record_context_space": "study",
+    "record_extinction": "tracking",
+    "record_features": "study",
+    "record_hypotheses": "hypotheses",
+    "record_modes": "hypotheses",
+    "record_prediction": "single_image",
+    "record_single_image": "single_image",
+    "record_study": "study",
+    "record_tracking": "tracking",
 }
 
-# Rerun tells of a viewer that was closed in several lines; here it is one sentence.
+# Rerun reports a viewer that was closed in several lines; here it is one warning.
 os.environ.setdefault("RUST_LOG", "warn,re_grpc_client=off,re_sdk=off")
+
+_exported = lazy_exports(__name__, _EXPORTS)
 
 
 def __getattr__(name: str) -> Any:
-    for home, names in _HOMES.items():
-        if name in names:
-            module = f"{__name__}.{home}"
-            recorder = name.startswith("record_")
-            value = _when_wanted(module, name) if recorder else getattr(import_module(module), name)
-            return globals().setdefault(name, value)
-    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+    return _on_call(name) if name in _RECORDERS else _exported(name)
 
 
-def _when_wanted(module: str, name: str) -> Callable[..., None]:
-    """Record only where a recording is wanted: a run without one does not load Rerun."""
+def _on_call(name: str) -> Callable[..., None]:
+    """Make a function that imports its module when it is called: that loads Rerun."""
 
-    def record(header: Header, *what: object, **more: object) -> None:
-        if header.sinks.kinds:
-            getattr(import_module(module), name)(header, *what, **more)
+    def record(header: Header, *arguments: object, **more: object) -> None:
+        module = import_module(f"{__name__}.{_RECORDERS[name]}")
+        getattr(module, name)(header, *arguments, **more)
 
     return record
 
 
 __all__ = [
+    "FinishedRun",
+    "GroundTruth",
     "Header",
-    "Reasons",
+    "InfluentialExamples",
+    "RecordedPoses",
+    "Recording",
+    "Result",
+    "RunFolder",
     "Sinks",
-    "Tracks",
-    "Truth",
     "codebook_picture",
     "compare",
     "film",
+    "load_poses",
+    "load_run",
+    "open_recording",
     "picture",
     "read_poses",
-    "read_tracks",
+    "read_recording",
     "record_bridges",
     "record_context_space",
     "record_extinction",
@@ -94,6 +128,8 @@ __all__ = [
     "record_study",
     "record_tracking",
     "repair",
+    "runs_table",
     "serve",
     "show",
+    "write_result",
 ]

@@ -1,4 +1,4 @@
-"""The codebook as a picture: its centres as the log-polar histograms they are, and their votes."""
+"""The codebook as an image: its centres as the log-polar histograms they are, and their votes."""
 
 from __future__ import annotations
 
@@ -7,23 +7,27 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.types import Array
 from silpose.recording import entity_paths, palette
 
 if TYPE_CHECKING:
     from silpose.recording.frame_logger import FrameLogger
-
-Array = NDArray[np.floating]
 
 _TILE = 40  # pixels that a centre is drawn in
 _REACH = 17.0  # pixels from a tile's middle to the edge of the outermost ring
 
 
 def columns_of(count: int) -> int:
-    """Centres in a row of the picture."""
+    """Count the centres in a row of the image."""
     return int(np.ceil(np.sqrt(count)))
 
 
-def codebook_picture(codebook: Array, angular_bins: int) -> NDArray[np.uint8]:
+def centre_colours(count: int) -> NDArray[np.uint8]:
+    """Colour of each centre, shape (K, 3), wherever centres are told apart."""
+    return np.array([palette.hue(k, count) for k in range(count)], np.uint8)
+
+
+def codebook_picture(codebook: NDArray[np.floating], angular_bins: int) -> NDArray[np.uint8]:
     """Draw all centres, row after row, each in its colour: bright where the contour lies.
 
     Parameters
@@ -45,28 +49,29 @@ def codebook_picture(codebook: Array, angular_bins: int) -> NDArray[np.uint8]:
     columns = columns_of(len(codebook))
     rows = int(np.ceil(len(codebook) / columns))
     picture = np.full((rows * _TILE, columns * _TILE, 3), palette.BACKGROUND, float)
-    for k, centre in enumerate(codebook):
+    for k, (centre, colour) in enumerate(zip(codebook, centre_colours(len(codebook)), strict=True)):
         light = (centre / max(float(centre.max()), 1e-9))[places]
-        colour = np.array(palette.hue(k, len(codebook)), dtype=float)
-        tile = (0.14 + 0.86 * light[..., None]) * colour
+        tile = (0.14 + 0.86 * light[..., None]) * colour.astype(float)
         top, left = _TILE * np.array(divmod(k, columns))
         picture[top : top + _TILE, left : left + _TILE][inside] = tile[inside]
     return picture.astype(np.uint8)
 
 
-def log_codebook(track: FrameLogger, codebook: Array, angular_bins: int, z: Array) -> None:
-    """Log the picture, and below every centre a bar as long as its share of each frame's votes.
+def log_codebook(
+    logger: FrameLogger, codebook: NDArray[np.floating], angular_bins: int, z: Array
+) -> None:
+    """Log the image, and below every centre a bar as long as its share of each frame's votes.
 
     A bar across the whole tile is the largest share that occurs.
     """
-    track.picture(entity_paths.CODEBOOK, codebook_picture(codebook, angular_bins))
+    logger.image(entity_paths.CODEBOOK, codebook_picture(codebook, angular_bins))
     count = len(codebook)
     rows, columns = np.divmod(np.arange(count), columns_of(count))
     starts = np.stack([columns * _TILE + 1.0, (rows + 1) * _TILE - 2.0], axis=1)
     shares = np.nan_to_num(z) / max(float(np.nanmax(z)), 1e-9)
     strips = np.repeat(starts[None, :, None], len(z), axis=0).repeat(2, axis=2)
     strips[:, :, 1, 0] += shares * (_TILE - 2)
-    track.strips(
+    logger.strips(
         entity_paths.VOTES,
         strips.reshape(-1, 2, 2).astype(np.float32),
         [count] * len(z),

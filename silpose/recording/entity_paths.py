@@ -1,4 +1,4 @@
-"""Every entity path of a recording, under the word of the room it comes from."""
+"""Every entity path of a recording; it begins with the package that its data come from."""
 
 TRUE_SKELETON = "/motion/skeleton"
 TRUE_HEADING = "/motion/heading"
@@ -7,16 +7,17 @@ TRUE_POSE = "/motion/pose"
 CAMERA = "/silhouette/camera"
 MASK = "/silhouette/camera/mask"
 EDGE_POINTS = "/silhouette/camera/edge_points"
+RETAINED_POINTS = "/silhouette/camera/retained"  # one entity below it per body part
 
-SEQUENCE = "/dataset/sequence"
+TAKE = "/dataset/take"
 
 HISTOGRAM = "/descriptor/histogram"
 CODEBOOK = "/descriptor/codebook"
 VOTES = "/descriptor/codebook/votes"
-SPACE = "/descriptor/space"  # the plane of two principal components of shape contexts
-SPACE_CONTEXTS = "/descriptor/space/contexts"
-SPACE_CENTRES = "/descriptor/space/centres"
-SPACE_POINTS = "/descriptor/space/points"
+CONTEXT_SPACE = "/descriptor/space"  # the plane of two principal components of shape contexts
+CONTEXT_SPACE_TRAINING = "/descriptor/space/contexts"
+CONTEXT_SPACE_CENTRES = "/descriptor/space/centres"
+CONTEXT_SPACE_POINTS = "/descriptor/space/points"
 
 ESTIMATED_SKELETON = "/regression/skeleton"
 ESTIMATED_POSE = "/regression/pose"
@@ -24,21 +25,20 @@ ESTIMATED_HEADING = "/regression/heading"
 HEADING_NORM = "/regression/heading_norm"
 ACTIVATIONS = "/regression/activations"
 
-REASONS = "/regression/reasons"  # the training examples behind an estimate
-REASONS_OUTLINES = "/regression/reasons/outlines"
-REASONS_SKELETONS = "/regression/reasons/skeletons"
-REASONS_WEIGHTS = "/regression/reasons/weights"
+INFLUENTIAL_EXAMPLES = "/regression/influential_examples"
+INFLUENTIAL_OUTLINES = "/regression/influential_examples/outlines"
+INFLUENTIAL_SKELETONS = "/regression/influential_examples/skeletons"
+INFLUENTIAL_WEIGHTS = "/regression/influential_examples/weights"
 
 COLUMN_NORMS = "/regression/bridges/norms"
 COLUMNS_LEFT = "/regression/bridges/columns_left"
 OBJECTIVE = "/regression/bridges/objective"
-FEATURES = "/silhouette/camera/retained"  # one entity below it per body part
 
 MODES = "/regression/modes"  # below it a skeleton, a heading, a pose and a weight per mode
 
-TRACKS = "/tracking/tracks"  # below it a skeleton, a heading, a pose per method
+TRACKS = "/tracking/tracks"  # below it a skeleton, a heading and a pose per method
 TRACK_NAMES = "/tracking/names"
-HYPOTHESES = "/tracking/hypotheses"  # below it likewise, per mode of a tracker's hypotheses
+HYPOTHESES = "/tracking/hypotheses"  # below it as below MODES, per mode of the particles
 BELIEF = "/tracking/belief"
 STATE = "/tracking/state"
 KERNELS = "/tracking/kernels"  # one entity below it per tracker
@@ -50,6 +50,6 @@ SETTINGS = "/run/settings"
 METRICS = "/run/metrics"
 
 
-def of(root: str, name: str) -> str:
-    """Give the entity below another that belongs to a method, or whatever is compared."""
-    return f"{root}/{name.replace(' ', '_')}"  # blanks in paths want escapes
+def below(root: str, name: str) -> str:
+    """Path of the entity below another that belongs to a method, a mode or a body part."""
+    return f"{root}/{name.replace(' ', '_')}"  # a blank in a path would have to be escaped

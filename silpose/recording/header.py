@@ -1,4 +1,4 @@
-"""What a recording says about itself: its name, its texts, its properties, where it goes."""
+"""The header of a recording: its name, its texts, its properties, where it goes."""
 
 from __future__ import annotations
 
@@ -16,26 +16,29 @@ import yaml
 
 from silpose.evaluation.headlines import Results, headlines
 from silpose.recording import entity_paths
-from silpose.recording.runs.setting_differences import flat, typed
+from silpose.recording.named_settings import flat, typed
 from silpose.recording.sinks import Sinks
 
 
 @dataclass(frozen=True)
 class Header:
-    """Head of a recording.
+    """Name, texts, properties and destination of a recording.
 
     Attributes
     ----------
     experiment, run : str
     file : Path
-        Of the ``.rrd``.
+        The ``.rrd`` file.
     words : str
-        What was seen, as markdown.
-    settings : str
-        Of the run, as YAML; "" if it has none.
-    results : mapping
-        Values by method.
-    sinks : Sinks
+        What is recorded, as markdown.
+    settings : str, default=""
+        Settings of the run as YAML; empty where there are none.
+    results : mapping, default={}
+        Values by method, then by name.
+    sinks : Sinks or None, default=None
+        Where the recording goes; None writes the file alone.
+    figure : Path or None, default=None
+        PNG of the experiment's figure, for the recordings that show it.
     """
 
     experiment: str
@@ -44,29 +47,33 @@ class Header:
     words: str
     settings: str = ""
     results: Results = field(default_factory=dict)
-    sinks: Sinks = field(default_factory=Sinks)
+    sinks: Sinks | None = None
+    figure: Path | None = None
 
     @property
     def name(self) -> str:
-        """What the viewer calls the recording."""
+        """Name of the recording in the viewer."""
         return f"{self.experiment}/{self.run}"
 
     @property
     def identity(self) -> str:
-        """Unlike that of any other run: runs of one name under two roots are not the same run."""
+        """Identifier of the recording: two runs of one name with other settings differ in it."""
         return f"{self.name}/{zlib.crc32(self.settings.encode()):08x}"
 
     def texts(self) -> dict[str, str]:
-        """Write what was seen, settings and headline results as markdown, by entity."""
-        told = f"{self.words}\n\n{results_table(self.results)}" if self.results else self.words
-        texts = {entity_paths.SEQUENCE: self.words, entity_paths.METRICS: told}
+        """Words, settings and headline results as markdown, by entity."""
+        results = [results_table(self.results)] if self.results else []
+        texts = {
+            entity_paths.TAKE: self.words,
+            entity_paths.METRICS: "\n\n".join([self.words, *results]),
+        }
         if self.settings:
             shown = yaml.safe_dump(self._choices(), sort_keys=False, allow_unicode=True)
             texts[entity_paths.SETTINGS] = f"```yaml\n{shown}```\n"
         return texts
 
     def properties(self) -> dict[str, dict[str, Any]]:
-        """Give what a catalog shows as a row: by group and name, settings and versions as text."""
+        """Row of the recording in a catalog, by group and name: settings, metrics, versions."""
         values = {
             f"{method}.{name}": float(value)
             for method, own in self.results.items()
@@ -81,13 +88,13 @@ class Header:
         return {group: values for group, values in groups.items() if values}
 
     def _choices(self) -> dict[str, Any]:
-        """All settings but where the recording goes: they make the run what it is."""
+        """All settings but where the recording goes: those that determine the results."""
         choices = yaml.safe_load(self.settings) or {}
         return {name: value for name, value in choices.items() if name != "recording"}
 
 
 def results_table(results: Results) -> str:
-    """Write the headlines as a markdown table, a row per method."""
+    """Headlines as a markdown table, a row per method."""
     titles, rows = headlines(results)
     ruler = ":--|" + "--:|" * (len(titles) - 1)
     table = [" | ".join(titles), ruler.strip("|"), *(" | ".join(row) for row in rows)]
@@ -96,7 +103,7 @@ def results_table(results: Results) -> str:
 
 @cache
 def versions() -> dict[str, str]:
-    """Versions of what makes a recording, and the commit if silpose is a checkout."""
+    """Versions of the programs that make a recording, and the commit of a checkout of silpose."""
     found = {
         "silpose": version("silpose"),
         "rerun": version("rerun-sdk"),
@@ -104,11 +111,11 @@ def versions() -> dict[str, str]:
     }
     root = Path(__file__).parents[2]
     if (root / ".git").exists() and (git := shutil.which("git")):
-        told = subprocess.run(
+        described = subprocess.run(
             [git, "-C", str(root), "describe", "--always", "--dirty", "--exclude=*", "--abbrev=12"],
             capture_output=True,
             text=True,
         )
-        if told.returncode == 0:
-            found["commit"] = told.stdout.strip()
+        if described.returncode == 0:
+            found["commit"] = described.stdout.strip()
     return found

@@ -1,8 +1,15 @@
-"""Colours: one hue per kind of thing, the left side of a body light and the right side dark."""
+"""Colours of recordings and figures: one hue per kind of thing.
+
+The left side of a body is light and its right side dark.
+"""
+
+from __future__ import annotations
 
 import colorsys
+from collections.abc import Mapping
 
 Colour = tuple[int, int, int]
+"""Red, green and blue, each from 0 to 255."""
 
 TRUE: Colour = (80, 190, 255)
 ESTIMATED: Colour = (255, 150, 50)
@@ -11,21 +18,29 @@ MASK: Colour = (70, 74, 84)
 BACKGROUND: Colour = (18, 19, 22)
 EDGE: Colour = (255, 225, 90)
 
-METHODS: dict[str, Colour] = {
+# Figures have a white background, on which the colours of a recording are too pale.
+TRUE_ON_WHITE: Colour = (47, 143, 208)
+ESTIMATED_ON_WHITE: Colour = (232, 121, 43)
+NEUTRAL_ON_WHITE: Colour = (154, 160, 166)
+GREEN_ON_WHITE: Colour = (76, 154, 95)
+RED_ON_WHITE: Colour = (192, 57, 43)
+PURPLE_ON_WHITE: Colour = (154, 108, 192)
+
+METHODS: Mapping[str, Colour] = {
     "mean_pose": (110, 110, 120),
     "nearest": (120, 200, 120),
     "knn": (70, 150, 90),
     "oracle": (90, 110, 200),
     "ridge": (200, 120, 220),
     "dynamics": (120, 200, 120),
-    "joint": (225, 205, 90),
+    "state_sensitive": (225, 205, 90),
     "tracker": ESTIMATED,
     "tracker_lag": (255, 200, 150),
     "mixture_top1": (200, 120, 220),
     "hypotheses": ESTIMATED,
 }
 
-STATES: dict[str, Colour] = {
+STATES: Mapping[str, Colour] = {
     "starting": (90, 110, 200),
     "tracking": (70, 150, 90),
     "lost": (220, 70, 60),
@@ -40,7 +55,7 @@ def hue(k: int, count: int) -> Colour:
 
 
 def shade(colour: Colour, side: str) -> Colour:
-    """Colour of a bone: light on the person's left, dark on the right, itself in the middle."""
+    """Colour of a bone: light on the person's left, dark on the right, unchanged in the middle."""
     if side == "left":
         red, green, blue = (min(255, int(c + 0.55 * (255 - c))) for c in colour)
     elif side == "right":
@@ -48,3 +63,8 @@ def shade(colour: Colour, side: str) -> Colour:
     else:
         red, green, blue = colour
     return red, green, blue
+
+
+def hexed(colour: Colour) -> str:
+    """Colour as matplotlib takes it, ``#rrggbb``."""
+    return "#{:02x}{:02x}{:02x}".format(*colour)

@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 from rerun.chunk import Chunk, RrdReader
 
 from silpose.core.errors import InputError
+from silpose.core.types import Array
 from silpose.recording import entity_paths
 
-Array = NDArray[np.float64]
-
-_MAGIC = b"RRF2"  # how a file of Rerun's begins; its version follows
+_MAGIC = b"RRF2"  # first bytes of a file of Rerun's, before its version
 _POSES = (
     (entity_paths.TRUE_POSE, "true"),
     (entity_paths.ESTIMATED_POSE, "estimated"),
@@ -28,20 +27,20 @@ _POSES = (
 
 
 @dataclass(frozen=True)
-class Tracks:
-    """What a recording says about every frame.
+class RecordedPoses:
+    """Poses and errors that a recording holds.
 
     Attributes
     ----------
     time : ndarray, shape (F,)
-        Seconds from the sequence's start; empty if there are no poses.
+        Seconds from the take's start; empty if there are no poses.
     columns : tuple of str
         Names of the D columns of pose vectors.
     poses : dict of str to ndarray, shape (F, D)
-        ``true`` where the truth is known; ``estimated``, or one for each method that was drawn. A
-        frame without an answer is a row of NaN.
+        ``true`` where the ground truth is known; ``estimated``, or one for each method that was
+        drawn. A frame without an estimate is a row of NaN.
     errors : dict of str to ndarray, shape (F,)
-        By method.
+        Error of each method.
     """
 
     time: Array
@@ -51,7 +50,13 @@ class Tracks:
 
 
 def reader(recording: str | Path) -> RrdReader:
-    """Open a recording, or say why it cannot be."""
+    """Open a recording.
+
+    Raises
+    ------
+    InputError
+        If there is none, or it is cut off, or of another version of Rerun.
+    """
     path = Path(recording)
     if not path.is_file():
         raise InputError(f"there is no recording '{path}'")
@@ -65,7 +70,7 @@ def reader(recording: str | Path) -> RrdReader:
             opened = RrdReader(path)
             empty = not opened.recordings()
             opened.store()
-            next(iter(opened.stream()), None)  # the first to look at the version
+            next(iter(opened.stream()), None)  # nothing before it looks at the version
     except Exception as error:
         raise _unreadable(path, start) from error
     if empty:
@@ -84,17 +89,32 @@ def _unreadable(path: Path, start: bytes) -> InputError:
 
 
 def read_poses(recording: str | Path) -> dict[str, Array]:
-    """Read the pose vectors of a recording: `Tracks.poses`."""
-    return read_tracks(recording).poses
-
-
-def read_tracks(recording: str | Path) -> Tracks:
-    """Read what a recording says about every frame.
+    """Read the pose vectors of a recording.
 
     Parameters
     ----------
     recording : path
-        Of an ``.rrd`` file. Of several runs side by side, names begin with the run's.
+        An ``.rrd`` file.
+
+    Returns
+    -------
+    poses : dict of str to ndarray, shape (F, D)
+        As `RecordedPoses.poses`.
+    """
+    return read_recording(recording).poses
+
+
+def read_recording(recording: str | Path) -> RecordedPoses:
+    """Read the poses and errors of a recording.
+
+    Parameters
+    ----------
+    recording : path
+        An ``.rrd`` file. In one of several runs side by side, names begin with the run's.
+
+    Returns
+    -------
+    recorded : RecordedPoses
     """
     poses, errors = _Rows(), _Rows()
     columns: tuple[str, ...] = ()
@@ -109,7 +129,7 @@ def read_tracks(recording: str | Path) -> Tracks:
         elif rows is poses:
             batch = chunk.to_record_batch()
             columns = tuple(batch.column("columns")[0].as_py())
-    return Tracks(
+    return RecordedPoses(
         poses.times(), columns, poses.values(), {n: v[:, 0] for n, v in errors.values().items()}
     )
 
@@ -140,7 +160,7 @@ class _Rows:
 
 
 def _name(entity: str) -> str | None:
-    """Name the poses of an entity; None if it holds none."""
+    """Name of the poses of an entity; None if it holds none."""
     for path, name in _POSES:
         if found := re.fullmatch(rf"/?(.*?){path}", entity):
             return "/".join(filter(None, (found[1], name.format(*found.groups()))))

@@ -1,4 +1,4 @@
-"""Recordings of whole sequences: what was seen, what was answered, how far off it was."""
+"""Recordings of poses estimated from masks: what was seen, the estimates, their errors."""
 
 from __future__ import annotations
 
@@ -8,32 +8,30 @@ from typing import TYPE_CHECKING
 import cv2
 import numpy as np
 import rerun as rr
-from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace
+from silpose.core.types import Array, Mask
 from silpose.recording import entity_paths, palette
-from silpose.recording.codebook import log_codebook
+from silpose.recording.codebook import centre_colours, log_codebook
 from silpose.recording.frame_logger import FrameLogger
-from silpose.recording.ground_truth import Truth
+from silpose.recording.ground_truth import GroundTruth, log_true_pose, log_true_skeleton
 from silpose.recording.header import Header
-from silpose.recording.influential_examples import Reasons, log_reasons
-from silpose.recording.layout import blueprints
-from silpose.recording.layout.views import Window
+from silpose.recording.influential_examples import InfluentialExamples, log_influential_examples
+from silpose.recording.layout import Window, prediction_layout, single_image_layout
+from silpose.recording.silhouette import log_camera, log_image_size, log_masks
 from silpose.recording.stream import recording_stream
 
 if TYPE_CHECKING:
-    from silpose.model.pose_model import PoseModel, PredictionDetails
-
-Array = NDArray[np.float64]
+    from silpose.model import PoseModel, PredictionDetails
 
 
 def record_single_image(
     header: Header,
     model: PoseModel,
-    look: PredictionDetails,
-    truth: Truth,
+    details: PredictionDetails,
+    truth: GroundTruth,
     shown: Sequence[str],
-    reasons: Reasons | None = None,
+    examples: InfluentialExamples | None = None,
 ) -> None:
     """Write the recording of a single-image experiment.
 
@@ -41,83 +39,74 @@ def record_single_image(
     ----------
     header : Header
     model : PoseModel
-    look : PredictionDetails
-        What it made of the masks.
-    truth : Truth
+    details : PredictionDetails
+        The model's estimates and what led to them.
+    truth : GroundTruth
     shown : sequence of str
-        Methods whose errors are drawn, the estimated one first.
-    reasons : Reasons, optional
-        The training examples behind the estimates.
+        Methods whose errors are drawn, that of the estimates first.
+    examples : InfluentialExamples, optional
+        Training examples behind the estimates.
     """
     space, rate = model.space, model.frames_per_second
-    layout = blueprints.single_image(
-        shown, rate, space.metrics[0], _window(look.masks), reasons=reasons is not None
+    layout = single_image_layout(
+        shown, rate, space.metrics[0], _window(details.masks), examples=examples is not None
     )
     with recording_stream(header, layout) as recording:
-        track = _log_look(recording, model, look, rate)
+        logger = _log_details(recording, model, details, rate)
         if truth.camera is not None:
-            track.camera(truth.camera, truth.aim)
-        if reasons is not None:
-            log_reasons(track, reasons, space)
-        _log_estimate(track, space, look.x, truth.root)
-        track.skeleton(
-            entity_paths.TRUE_SKELETON,
-            space.joints(truth.poses) + truth.root[:, None],
-            space.bones,
-            space.joint_names,
-            palette.TRUE,
-            radius=0.016,
-        )
-        track.poses(entity_paths.TRUE_POSE, truth.poses, space)
-        headings = space.heading(truth.poses)
-        track.series(entity_paths.TRUE_HEADING, headings, "true", palette.TRUE)
+            log_camera(logger, truth.camera, truth.aim)
+        if examples is not None:
+            log_influential_examples(logger, examples, space)
+        _log_estimate(logger, space, details.x, truth.root)
+        log_true_skeleton(logger, truth, space, radius=0.016)
+        log_true_pose(logger, truth, space)
         for method, errors in truth.errors.items():
-            colour = palette.ESTIMATED if method == shown[0] else palette.METHODS.get(method)
-            width = 2.0 if method == shown[0] else 1.0
-            track.series(
-                entity_paths.of(entity_paths.ERROR, method),
+            estimated = method == shown[0]
+            own = palette.METHODS.get(method, palette.NEUTRAL)
+            logger.series(
+                entity_paths.below(entity_paths.ERROR, method),
                 errors,
                 method,
-                colour or palette.NEUTRAL,
-                width,
+                palette.ESTIMATED if estimated else own,
+                2.0 if estimated else 1.0,
             )
 
 
 def record_prediction(
     header: Header,
     model: PoseModel,
-    look: PredictionDetails,
+    details: PredictionDetails,
     frames_per_second: float,
     states: Sequence[str] | None = None,
 ) -> None:
-    """Write the recording of poses whose truth nobody knows.
+    """Write the recording of poses whose ground truth is unknown.
 
     Parameters
     ----------
     header : Header
     model : PoseModel
-    look : PredictionDetails
-        What it made of the masks.
+    details : PredictionDetails
+        The model's estimates and what led to them.
     frames_per_second : float
-        Of the masks.
+        Rate of the masks.
     states : sequence of str, optional
-        Of the tracker, if the model has one.
+        States of the model's tracker, one per frame.
     """
-    window = _window(look.masks) or (0.0, 1.0, 0.0, 1.0)
-    layout = blueprints.predict(frames_per_second, window, states is not None)
+    window = _window(details.masks) or (0.0, 1.0, 0.0, 1.0)
+    layout = prediction_layout(frames_per_second, window, states is not None)
     with recording_stream(header, layout) as recording:
-        track = _log_look(recording, model, look, frames_per_second)
-        height, width = np.max([np.shape(mask) for mask in look.masks], axis=0)
-        track.image_plane(int(width), int(height))
-        root = np.zeros((len(look.x), 3))
-        joints = model.space.joints(np.nan_to_num(look.x))
+        logger = _log_details(recording, model, details, frames_per_second)
+        height, width = np.max([np.shape(mask) for mask in details.masks], axis=0)
+        log_image_size(logger, int(width), int(height))
+        root = np.zeros((len(details.x), 3))
+        joints = model.space.joints(np.nan_to_num(details.x))
         root[:, 1] = -joints[..., 1].min(axis=1)  # the lowest point stands on the ground
-        _log_estimate(track, model.space, look.x, root)
+        _log_estimate(logger, model.space, details.x, root)
         if states is not None:
-            track.states(entity_paths.STATE, states, palette.STATES)
+            logger.states(entity_paths.STATE, states, palette.STATES)
 
 
-def _window(masks: Sequence[NDArray[np.uint8]]) -> Window | None:
+def _window(masks: Sequence[Mask]) -> Window | None:
     """Where people are in any of the masks, with a margin; None if there are no masks."""
     boxes = [cv2.boundingRect(np.asarray(mask != 0).view(np.uint8)) for mask in masks if mask.any()]
     if not boxes:
@@ -128,30 +117,32 @@ def _window(masks: Sequence[NDArray[np.uint8]]) -> Window | None:
     return ends[0] - margin, ends[1] + margin, ends[2] - margin, ends[3] + margin
 
 
-def _log_look(
+def _log_details(
     recording: rr.RecordingStream,
     model: PoseModel,
-    look: PredictionDetails,
+    details: PredictionDetails,
     frames_per_second: float,
 ) -> FrameLogger:
-    track = FrameLogger(recording, len(look.x), frames_per_second)
-    shares = look.z / look.z.sum(axis=1, keepdims=True)
-    if look.masks and model.descriptor is not None:
+    """Log masks, edge points, codebook, histogram and activations."""
+    logger = FrameLogger(recording, len(details.x), frames_per_second)
+    shares = details.z / details.z.sum(axis=1, keepdims=True)
+    if details.masks and model.descriptor is not None:
         codebook = model.descriptor.codebook_
-        track.masks(look.masks)
-        colours = np.array([palette.hue(k, len(codebook)) for k in range(len(codebook))], np.uint8)
-        track.coloured_points(entity_paths.EDGE_POINTS, look.points, colours, look.nearest, 2.2)
-        log_codebook(track, codebook, model.descriptor.angular_bins, shares)
-    track.bars(entity_paths.HISTOGRAM, 100 * shares, palette.TRUE)
-    track.bars(entity_paths.ACTIVATIONS, look.activations, palette.ESTIMATED)
-    return track
+        log_masks(logger, details.masks)
+        kinds = centre_colours(len(codebook)), details.nearest
+        logger.points(entity_paths.EDGE_POINTS, details.points, 2.2, kinds=kinds)
+        log_codebook(logger, codebook, model.descriptor.angular_bins, shares)
+    logger.bars(entity_paths.HISTOGRAM, 100 * shares, palette.TRUE)
+    logger.bars(entity_paths.ACTIVATIONS, details.activations, palette.ESTIMATED)
+    return logger
 
 
-def _log_estimate(track: FrameLogger, space: PoseSpace, x: Array, root: Array) -> None:
+def _log_estimate(logger: FrameLogger, space: PoseSpace, x: Array, root: Array) -> None:
+    """Log the estimated skeleton, pose and heading; nothing is drawn of a row of NaN."""
     known = np.isfinite(x).all(axis=1)
     joints = space.joints(np.nan_to_num(x)) + root[:, None]
-    joints[~known] = np.nan  # which the viewer leaves out
-    track.skeleton(
+    joints[~known] = np.nan
+    logger.skeleton(
         entity_paths.ESTIMATED_SKELETON,
         joints,
         space.bones,
@@ -159,8 +150,8 @@ def _log_estimate(track: FrameLogger, space: PoseSpace, x: Array, root: Array) -
         palette.ESTIMATED,
         radius=0.011,
     )
-    track.poses(entity_paths.ESTIMATED_POSE, x, space)
-    track.series(entity_paths.ESTIMATED_HEADING, space.heading(x), "estimated", palette.ESTIMATED)
-    track.series(
+    logger.poses(entity_paths.ESTIMATED_POSE, x, space)
+    logger.series(entity_paths.ESTIMATED_HEADING, space.heading(x), "estimated", palette.ESTIMATED)
+    logger.series(
         entity_paths.HEADING_NORM, space.heading_norm(x), "norm of (cos, sin)", palette.ESTIMATED
     )

@@ -12,7 +12,7 @@ KINDS = ("file", "viewer", "web")
 
 @dataclass(frozen=True)
 class Sinks:
-    """Where a recording goes, to several places at once if need be.
+    """Where a recording goes, possibly to several places at once.
 
     Attributes
     ----------
@@ -20,23 +20,28 @@ class Sinks:
         Any of ``file``, ``viewer`` (on this machine's screen), ``web`` (in a browser); none for
         no recording.
     viewer_port : int
-        Where the viewer listens, or is made to listen.
+        Port of the viewer: of one that is open, else of the one to be opened.
     web_port : int
-        Of the page; the port after it brings the data.
+        Port of the page; the port after it brings the data.
+
+    Raises
+    ------
+    InputError
+        If there is no such kind or no such port.
     """
 
-    kinds: Sequence[str] = ("file",)
-    viewer_port: int = 9876
-    web_port: int = 9090
+    kinds: Sequence[str]
+    viewer_port: int
+    web_port: int
 
     def __post_init__(self) -> None:
         for kind in self.kinds:
             if kind not in KINDS:
                 raise InputError(
-                    f"recording.sinks is a list of any of {', '.join(KINDS)}, without '{kind}'"
+                    f"recording.sinks must list any of {', '.join(KINDS)}, not '{kind}'"
                 )
         for name in ("viewer_port", "web_port"):
             if not 0 < getattr(self, name) < 65535:
                 raise InputError(
-                    f"recording.{name} is a port, 1 to 65534, not {getattr(self, name)}"
+                    f"recording.{name} must be a port, 1 to 65534, not {getattr(self, name)}"
                 )

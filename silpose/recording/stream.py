@@ -1,4 +1,4 @@
-"""A recording to write to, with its layout and what its header says."""
+"""A recording stream with its layout, its header, and the places it goes to."""
 
 from __future__ import annotations
 
@@ -13,9 +13,8 @@ import rerun.blueprint as rrb
 
 from silpose.core.atomic_files import writing
 from silpose.recording import entity_paths
-from silpose.recording.frame_logger import log_text
 from silpose.recording.header import Header
-from silpose.recording.layout.views import hide
+from silpose.recording.layout import hide
 from silpose.recording.viewer.live import connect
 
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
@@ -26,7 +25,7 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
     """Open a recording that goes where its header says; its file is complete at the end.
 
     A viewer that is closed meanwhile is a warning. The file is written in any case, so that
-    nothing is lost then, and deleted at the end if nobody asked for it.
+    nothing is lost then, and deleted at the end if it was not asked for.
     """
     # A stream of its own: rr.init would give all jobs of one process the same recording id. Runs
     # of one experiment share a layout in the viewer, as one application's recordings do.
@@ -39,36 +38,51 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
     )
     if not header.settings:
         hide(layout.root_container, entity_paths.SETTINGS)
+    if header.figure is None:
+        hide(layout.root_container, entity_paths.FIGURE)
+    kinds = header.sinks.kinds if header.sinks else ("file",)
     with writing(header.file) as path:
         live = connect(recording, header, layout)
         recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
         recording.set_log_time_enabled(False)  # the same run gives the same recording
-        recording.send_recording_name(header.name)
-        for group, values in header.properties().items():
-            typed: dict[str, Any] = {
-                n: np.float64(v) if isinstance(v, float) else v for n, v in values.items()
-            }
-            recording.send_property(group, rr.AnyValues(**typed))
-        recording.log("/", rr.ViewCoordinates.RIGHT_HAND_Y_UP, static=True)
-        for entity, markdown in header.texts().items():
-            log_text(recording, entity, markdown)
+        _send_header(recording, header)
         try:
             yield recording
             delivered = _delivered(recording, header)
         finally:
             recording.disconnect()
-    shown = delivered and len(live) == len({*header.sinks.kinds} - {"file"})
-    if shown and "file" not in header.sinks.kinds:
+    shown = delivered and len(live) == len({*kinds} - {"file"})
+    if shown and "file" not in kinds:
         header.file.unlink()
 
 
+def log_figure(recording: rr.RecordingStream, header: Header) -> None:
+    """Log the figure of the experiment, if it has one."""
+    if header.figure is not None:
+        recording.log(entity_paths.FIGURE, rr.EncodedImage(path=header.figure), static=True)
+
+
+def _send_header(recording: rr.RecordingStream, header: Header) -> None:
+    recording.send_recording_name(header.name)
+    for group, values in header.properties().items():
+        typed: dict[str, Any] = {
+            name: np.float64(value) if isinstance(value, float) else value
+            for name, value in values.items()
+        }
+        recording.send_property(group, rr.AnyValues(**typed))
+    recording.log("/", rr.ViewCoordinates.RIGHT_HAND_Y_UP, static=True)
+    for entity, markdown in header.texts().items():
+        text = rr.TextDocument(markdown, media_type="text/markdown")
+        recording.log(entity, text, static=True)
+
+
 def _delivered(recording: rr.RecordingStream, header: Header) -> bool:
-    """Tell whether the viewers got everything; the file has it in any case."""
+    """Whether the viewers got everything; the file has it in any case."""
     try:
         recording.flush(timeout_sec=_GONE)
     except RuntimeError:
         warnings.warn(
-            f"the viewer was closed before the end of the run; '{header.file}' holds all",
+            f"the viewer was closed before the end of the run; '{header.file}' is complete",
             stacklevel=2,
         )
         return False

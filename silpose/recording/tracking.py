@@ -2,24 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from pathlib import Path
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import rerun as rr
-from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace
+from silpose.core.types import Array
 from silpose.dataset import Take
 from silpose.recording import entity_paths, palette
 from silpose.recording.frame_logger import FrameLogger
-from silpose.recording.ground_truth import Truth
+from silpose.recording.ground_truth import GroundTruth, log_true_pose
 from silpose.recording.header import Header
-from silpose.recording.layout import blueprints
-from silpose.recording.stream import recording_stream
+from silpose.recording.layout import extinction_layout, tracking_layout
+from silpose.recording.silhouette import log_masks_alone
+from silpose.recording.stream import log_figure, recording_stream
 from silpose.tracking import Track
-
-Array = NDArray[np.float64]
 
 _APART = 1.0  # metres between the places where the estimates stand
 _OVERHEAD = 1.85  # metres
@@ -29,20 +27,20 @@ _BIN = 15  # degrees of heading in a bar
 def record_tracking(
     header: Header,
     take: Take,
-    truth: Truth,
+    truth: GroundTruth,
     tracks: Mapping[str, Array],
     track: Track,
     facing: Array,
     space: PoseSpace,
 ) -> None:
-    """Write how several methods follow one sequence.
+    """Write the recording of several methods that follow one take.
 
     Parameters
     ----------
     header : Header
-    take : Sequence
-        What was tracked.
-    truth : Truth
+    take : Take
+        The take that was tracked.
+    truth : GroundTruth
         With the errors of all methods.
     tracks : mapping of str to ndarray, shape (F, D)
         Estimates that are drawn, from left to right; the last is the tracker's.
@@ -52,66 +50,62 @@ def record_tracking(
         Heading of each key pose that beliefs are over, degrees.
     space : PoseSpace
     """
-    layout = blueprints.tracking(
-        list(tracks), take.frames_per_second, space.metrics[0], take.masks is not None
-    )
+    if track.beliefs is None:
+        raise ValueError("a track without beliefs: record it with record_hypotheses")
+    rate = take.frames_per_second
+    layout = tracking_layout(list(tracks), rate, space.metrics[0], take.has_masks)
     with recording_stream(header, layout) as recording:
-        lines = FrameLogger(recording, len(take), take.frames_per_second)
-        if take.masks is not None:
-            lines.masks_alone(take.masks)
+        logger = FrameLogger(recording, len(take), rate)
+        if take.has_masks:
+            log_masks_alone(logger, take.mask_array())
         place = _APART * (np.arange(len(tracks)) - (len(tracks) - 1) / 2)
         places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
         height = truth.root * (0, 1, 0)
-        _bodies(
-            lines, entity_paths.TRUE_SKELETON, [truth.poses] * len(tracks), places, height, space
-        )
-        lines.poses(entity_paths.TRUE_POSE, truth.poses, space)
-        lines.series(entity_paths.TRUE_HEADING, space.heading(truth.poses), "true", palette.TRUE)
+        everywhere = [truth.poses] * len(tracks)
+        _log_bodies(logger, entity_paths.TRUE_SKELETON, everywhere, places, height, space)
+        log_true_pose(logger, truth, space)
         for where, (method, x) in zip(places, tracks.items(), strict=True):
             colour = palette.METHODS.get(method, palette.ESTIMATED)
-            entity = entity_paths.of(entity_paths.TRACKS, method)
-            _bodies(lines, f"{entity}/skeleton", [x], [where], height, space, colour)
-            lines.poses(f"{entity}/pose", x, space)
-            lines.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
-        recording.log(
-            entity_paths.TRACK_NAMES,
-            rr.Points3D(
-                places + np.array([0, _OVERHEAD, 0]),
-                labels=list(tracks),
-                radii=0.01,
-                colors=palette.NEUTRAL,
-                show_labels=True,
-            ),
-            static=True,
+            entity = entity_paths.below(entity_paths.TRACKS, method)
+            _log_bodies(logger, f"{entity}/skeleton", [x], [where], height, space, colour)
+            logger.poses(f"{entity}/pose", x, space)
+            logger.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
+        names = rr.Points3D(
+            places + np.array([0, _OVERHEAD, 0]),
+            labels=list(tracks),
+            radii=0.01,
+            colors=palette.NEUTRAL,
+            show_labels=True,
         )
+        logger.static(entity_paths.TRACK_NAMES, names)
         middles = np.arange(-180 + _BIN / 2, 180, _BIN)
         shares = _by_heading(track.beliefs, facing)
-        lines.bars(entity_paths.BELIEF, shares, palette.ESTIMATED, middles)
-        lines.states(entity_paths.STATE, track.state, palette.STATES)
-        lines.errors(truth.errors)
+        logger.bars(entity_paths.BELIEF, shares, palette.ESTIMATED, middles)
+        logger.states(entity_paths.STATE, track.state, palette.STATES)
+        logger.errors(truth.errors)
 
 
 def _by_heading(beliefs: Array, facing: Array) -> Array:
-    """Gather beliefs (F, K) by heading: as many bars can be told apart, and two answers be seen."""
+    """Sum beliefs (F, K) by heading into as many bars as the eye can tell apart."""
     bins = 360 // _BIN
     return beliefs @ np.eye(bins)[((facing + 180) // _BIN).astype(int) % bins]
 
 
-def _bodies(
-    lines: FrameLogger,
+def _log_bodies(
+    logger: FrameLogger,
     entity: str,
-    poses: list[Array],
-    places: Array | list[Array],
+    poses: Sequence[Array],
+    places: Array | Sequence[Array],
     height: Array,
     space: PoseSpace,
     colour: palette.Colour = palette.TRUE,
 ) -> None:
-    """Draw bodies ``poses [(F, D)]`` at places ``(n, 3)`` as one entity."""
+    """Log skeletons of ``poses [(F, D)]`` at places ``(n, 3)`` as one entity."""
     count = len(space.joint_names)
     joints = [
         space.joints(x) + height[:, None] + where for x, where in zip(poses, places, strict=True)
     ]
-    lines.skeleton(
+    logger.skeleton(
         entity,
         np.concatenate(joints, axis=1),
         [(a + k * count, b + k * count) for k in range(len(joints)) for a, b in space.bones],
@@ -123,32 +117,29 @@ def _bodies(
 
 def record_extinction(
     header: Header,
-    figure: Path,
     activations: Mapping[str, Array],
     errors: Mapping[str, Array],
     frames_per_second: float,
 ) -> None:
-    """Write how kernels stop firing.
+    """Write the recording of kernels that stop firing.
 
     Parameters
     ----------
     header : Header
-    figure : Path
-        Of a PNG.
+        With a figure.
     activations : mapping of str to ndarray, shape (F, k)
-        Of each tracker's kernels.
+        Activations of each tracker's kernels.
     errors : mapping of str to ndarray, shape (F,)
-        Likewise.
+        Error of each tracker.
     frames_per_second : float
     """
-    layout = blueprints.extinction(list(activations), frames_per_second)
+    layout = extinction_layout(list(activations), frames_per_second)
     with recording_stream(header, layout) as recording:
-        recording.log(entity_paths.FIGURE, rr.EncodedImage(path=figure), static=True)
-        frames = len(next(iter(errors.values())))
-        lines = FrameLogger(recording, frames, frames_per_second)
+        log_figure(recording, header)
+        logger = FrameLogger(recording, len(next(iter(errors.values()))), frames_per_second)
         for k, (method, values) in enumerate(activations.items()):
             colour = palette.hue(k, len(activations))
-            lines.bars(entity_paths.of(entity_paths.KERNELS, method), values, colour)
-            lines.series(
-                entity_paths.of(entity_paths.ERROR, method), errors[method], method, colour
+            logger.bars(entity_paths.below(entity_paths.KERNELS, method), values, colour)
+            logger.series(
+                entity_paths.below(entity_paths.ERROR, method), errors[method], method, colour
             )

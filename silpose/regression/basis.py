@@ -5,21 +5,33 @@ Section III-C of the paper.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.special import softmax
-from sklearn.base import BaseEstimator, TransformerMixin
+from sklearn.base import BaseEstimator, TransformerMixin, clone
 from sklearn.metrics import pairwise
+from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.core.errors import InputError
-
-Array = NDArray[np.float64]
+from silpose.core.parameters import (
+    POSITIVE,
+    POSITIVE_INTEGER,
+    Constraints,
+    check_parameters,
+    one_of,
+)
+from silpose.core.serialisation import State, arrays_of, estimator_from
+from silpose.core.types import Array, Indices
+from silpose.regression.hellinger import square_roots
 
 KERNELS = ("gaussian", "laplacian", "chi2", "polynomial", "sigmoid", "cosine")
+_OTHERS = sorted({*pairwise.PAIRWISE_KERNEL_FUNCTIONS} - {*KERNELS})
 _SAMPLE = 500  # examples from whose pairs the typical distance of other kernels is taken
+_FITTED = ("indices_", "centres_", "features_", "mean_", "scale_", "beta_")
+_SUMMED = ("summed_", "places_")  # where kernels are normalised
 
 
 class Basis(TransformerMixin, BaseEstimator):
@@ -27,26 +39,27 @@ class Basis(TransformerMixin, BaseEstimator):
 
     Parameters
     ----------
-    kernel : str or None
+    kernel : str or None, default="gaussian"
         ``"gaussian"``, exp(-β ‖z - z_k‖²), any other kernel of
         `sklearn.metrics.pairwise.pairwise_kernels` by its name there, or None for no kernels.
-    linear : bool
+    linear : bool, default=False
         Whether the features themselves, at zero mean and unit variance, are basis functions too.
-    centres : int
-        At most so many training points, drawn by seed, carry a kernel.
-    width : float
+    centres : int, default=2700
+        Largest number of training points that carry a kernel; of more, a random subset does.
+    width : float, default=1.0
         Factor of β, in units of 1 / (2 tr S), S the scatter (covariance) matrix of the
         training inputs: the larger, the narrower the kernels. 2 tr S is the mean squared distance
         of two inputs; other kernels take the mean of their own distance.
-    hellinger : bool
+    hellinger : bool, default=True
         Whether to take square roots of the inputs first, so that their Euclidean distance is
-        the Hellinger distance of histograms.
-    normalised : bool
-        Whether Gaussian kernels are divided by their sum over all centres (Moody and Darken 1989).
-        What is far from all training points, as a damaged silhouette is, then still makes the
-        nearest ones respond, where plain kernels vanish and leave the mean. Kernels that are not
-        kept are needed for the sum all the same.
-    random_state : int or None
+        the Hellinger distance of histograms; inputs must not be negative then.
+    normalised : bool, default=False
+        Whether Gaussian kernels are divided by their sum over all centres [1]_. Far from all
+        training points, as a damaged silhouette is, the nearest ones then still respond, where
+        plain kernels vanish and leave the mean. The sum needs all centres, even where only some
+        kernels are kept.
+    random_state : int or None, default=0
+        Seed of the subset of centres.
 
     Attributes
     ----------
@@ -59,17 +72,30 @@ class Basis(TransformerMixin, BaseEstimator):
     size_ : int
         Number of basis functions.
     summed_ : ndarray, shape (p, d)
-        The centres over which kernels are summed, and `places_` of those kept among them; only
-        where they are normalised.
+        Centres over which normalised kernels are summed.
+    places_ : ndarray of int, shape (k,)
+        Rows of `summed_` whose kernels are kept.
+
+    References
+    ----------
+    .. [1] J. Moody and C. Darken, "Fast learning in networks of locally-tuned processing units",
+       Neural Computation 1989.
     """
+
+    constraints: ClassVar[Constraints] = {
+        "kernel": one_of(*KERNELS, *_OTHERS).or_none(),
+        "centres": POSITIVE_INTEGER,
+        "width": POSITIVE,
+    }
 
     def __init__(
         self,
         kernel: str | None = "gaussian",
+        *,
         linear: bool = False,
         centres: int = 2700,
         width: float = 1.0,
-        hellinger: bool = False,
+        hellinger: bool = True,
         normalised: bool = False,
         random_state: int | None = 0,
     ) -> None:
@@ -87,8 +113,16 @@ class Basis(TransformerMixin, BaseEstimator):
         Parameters
         ----------
         z : array-like, shape (n, d)
+            Descriptors.
+        y : object, default=None
+            Ignored.
+
+        Raises
+        ------
+        InputError
+            If a parameter or an input cannot be used.
         """
-        self._check_parameters()
+        self._check()
         inputs = self._roots(validate_data(self, z, dtype=float))
         random = np.random.default_rng(self.random_state)
         count = min(self.centres, len(inputs)) if self.kernel else 0
@@ -104,9 +138,22 @@ class Basis(TransformerMixin, BaseEstimator):
         return self
 
     def transform(self, z: ArrayLike) -> Array:
-        """Evaluate the basis functions, shape (n, size_)."""
+        """Evaluate the basis functions.
+
+        Parameters
+        ----------
+        z : array-like, shape (n, d)
+
+        Returns
+        -------
+        f : ndarray, shape (n, size_)
+        """
         check_is_fitted(self)
-        inputs = self._roots(validate_data(self, z, dtype=float, reset=False))
+        return self.evaluate(validate_data(self, z, dtype=float, reset=False))
+
+    def evaluate(self, z: Array) -> Array:
+        """Do the same for descriptors that have been checked; several times faster for one."""
+        inputs = self._roots(z)
         features = ((inputs - self.mean_) / self.scale_)[:, self.features_]
         if not len(self.centres_):
             return features
@@ -118,9 +165,15 @@ class Basis(TransformerMixin, BaseEstimator):
         """Number of basis functions."""
         return len(self.indices_) + len(self.features_)
 
-    def restrict(self, kept: NDArray[np.intp]) -> Basis:
-        """Give the same basis with some of its functions only."""
-        basis = Basis(**self.get_params())
+    def restrict(self, kept: Indices) -> Basis:
+        """Return the same basis with some of its functions only.
+
+        Parameters
+        ----------
+        kept : ndarray of int, shape (k,)
+            Which of the `size_` functions.
+        """
+        basis: Basis = clone(self)
         kernels = kept[kept < len(self.indices_)]
         features = kept[kept >= len(self.indices_)] - len(self.indices_)
         if self.normalised:
@@ -131,48 +184,45 @@ class Basis(TransformerMixin, BaseEstimator):
             setattr(basis, name, getattr(self, name))
         return basis
 
-    def to_arrays(self) -> dict[str, Any]:
-        """Give parameters and what was learnt, as arrays and numbers."""
+    def to_arrays(self) -> State:
+        """Return the parameters and what was fitted, as arrays and numbers."""
         check_is_fitted(self)
-        names = ["indices_", "centres_", "features_", "mean_", "scale_", "beta_"]
-        names += ["summed_", "places_"] if self.normalised else []
-        parameters = {k: v for k, v in self.get_params().items() if v is not None}
-        return parameters | {name: getattr(self, name) for name in names}
+        return arrays_of(self, _FITTED + (_SUMMED if self.normalised else ()))
 
     @classmethod
-    def from_arrays(cls, state: dict[str, Any]) -> Basis:
-        """Restore what `state` gave."""
-        learnt = {name: np.asarray(value) for name, value in state.items() if name.endswith("_")}
-        plain = {k: np.asarray(v).item() for k, v in state.items() if k not in learnt}
-        basis = cls(**{"kernel": None, **plain})
-        for name, value in learnt.items():
-            setattr(basis, name, value)
-        basis.beta_ = float(learnt["beta_"])
+    def from_arrays(cls, state: State) -> Basis:
+        """Restore a basis from `to_arrays`."""
+        fitted = [name for name in (*_FITTED, *_SUMMED) if name in state]
+        basis = estimator_from(cls, state, fitted)
         basis.n_features_in_ = len(basis.mean_)
         return basis
 
-    def _check_parameters(self) -> None:
-        if self.centres < 1 or self.width <= 0:
-            raise InputError(
-                f"centres and width must be positive, not {self.centres} and {self.width}"
-            )
+    def __sklearn_tags__(self) -> Tags:
+        tags = super().__sklearn_tags__()
+        tags.input_tags.positive_only = self.hellinger
+        return tags
+
+    def _check(self) -> None:
+        check_parameters(self)
         if self.kernel is None and not self.linear:
-            raise InputError("a basis without kernels wants linear=True")
+            raise InputError("a basis without kernels needs linear=True")
         if self.normalised and self.kernel != "gaussian":
-            raise InputError(f"normalised=True wants kernel='gaussian', not {self.kernel!r}")
-        known = {*KERNELS, *pairwise.PAIRWISE_KERNEL_FUNCTIONS}
-        if self.kernel is not None and self.kernel not in known:
-            raise InputError(f"there is no kernel '{self.kernel}'; there are {sorted(known)}")
+            raise InputError(f"normalised=True needs kernel='gaussian', not {self.kernel!r}")
 
     def _kernels(self, inputs: Array) -> Array:
+        if self._metric() == "rbf":
+            exponents = _squared_distances(inputs, self.centres_)
+            exponents *= -self.beta_
+            return np.exp(exponents, out=exponents)
+        # One job, as more would round differently.
         kernels = pairwise.pairwise_kernels(
-            inputs, self.centres_, metric=self._metric(), filter_params=True, gamma=self.beta_
+            inputs, self.centres_, self._metric(), n_jobs=1, filter_params=True, gamma=self.beta_
         )
         return np.asarray(kernels)
 
     def _shares(self, inputs: Array) -> Array:
         # As a softmax of exponents: however far the inputs, the sum of kernels is not 0.
-        exponents = -self.beta_ * pairwise.euclidean_distances(inputs, self.summed_, squared=True)
+        exponents = -self.beta_ * _squared_distances(inputs, self.summed_)
         return np.asarray(softmax(exponents, axis=1)[:, self.places_])
 
     def _metric(self) -> str:
@@ -189,8 +239,12 @@ class Basis(TransformerMixin, BaseEstimator):
         return float((inputs**2).sum(axis=1).mean())
 
     def _roots(self, inputs: Array) -> Array:
-        if not self.hellinger:
-            return inputs
-        if inputs.min() < 0:
-            raise InputError("square roots need histograms: negative inputs want hellinger=False")
-        return np.sqrt(inputs)
+        return square_roots(inputs) if self.hellinger else inputs
+
+
+def _squared_distances(inputs: Array, centres: Array) -> Array:
+    """Squared Euclidean distances, shape (n, k), by scikit-learn's arithmetic, without checks."""
+    squared = -2 * (inputs @ centres.T)
+    squared += np.einsum("ij,ij->i", inputs, inputs)[:, None]
+    squared += np.einsum("ij,ij->i", centres, centres)
+    return np.maximum(squared, 0, out=squared)

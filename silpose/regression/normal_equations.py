@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.intp]
+from silpose.core.types import Array, Indices
 
 
 @dataclass(frozen=True)
@@ -25,11 +23,13 @@ class NormalEquations:
     target : ndarray, shape (p, m)
         FᵀY.
     power : ndarray, shape (m,)
-        Squared norm of each output, the squared error of A = 0.
+        Squared norm of each output: the squared error of A = 0.
     count : int
         Number of examples.
-    mean_f, mean_y, scale_y : ndarray
-        What was taken out.
+    mean_f : ndarray, shape (p,)
+        Means of the basis functions, which were subtracted.
+    mean_y, scale_y : ndarray, shape (m,)
+        Means and standard deviations of the outputs, which were standardised.
     """
 
     gram: Array
@@ -42,7 +42,13 @@ class NormalEquations:
 
     @classmethod
     def of(cls, f: Array, y: Array) -> NormalEquations:
-        """Reduce basis functions ``f (n, p)`` and outputs ``y (n, m)``."""
+        """Reduce basis functions and outputs.
+
+        Parameters
+        ----------
+        f : ndarray, shape (n, p)
+        y : ndarray, shape (n, m)
+        """
         mean_f, mean_y = f.mean(axis=0), y.mean(axis=0)
         deviation = y.std(axis=0)
         # A constant output stays as it is; what rounding leaves of its variance is not blown up.
@@ -61,11 +67,10 @@ class NormalEquations:
 
     def solve(self, damping: float | Array) -> Array:
         """Minimise ‖F A - Y‖² + Σ_k damping_k ‖a_k‖², a_k being the k-th row of A (p, m)."""
-        matrix = self.gram.copy()
-        return solve_damped(matrix, self.target, damping)
+        return solve_damped(self.gram.copy(), self.target, damping)
 
     def restrict(self, kept: Indices) -> NormalEquations:
-        """Give the problem with some of the basis functions only."""
+        """Return the problem with some of the basis functions only."""
         return NormalEquations(
             self.gram[np.ix_(kept, kept)],
             self.target[kept],
@@ -77,7 +82,7 @@ class NormalEquations:
         )
 
     def output(self, j: int) -> NormalEquations:
-        """Give the problem of one output."""
+        """Return the problem of one output."""
         return NormalEquations(
             self.gram,
             self.target[:, [j]],
@@ -89,17 +94,43 @@ class NormalEquations:
         )
 
     def unscaled(self, a: Array, kept: Indices | slice) -> tuple[Array, Array]:
-        """Turn the rows of A that are kept into coefficients and offset for the raw f and y."""
+        """Turn a solution into coefficients and offset for the raw f and y.
+
+        Parameters
+        ----------
+        a : ndarray, shape (k, m)
+            Rows of A that are kept.
+        kept : ndarray of int, shape (k,), or slice
+            Which rows these are.
+
+        Returns
+        -------
+        coefficients : ndarray, shape (k, m)
+        offset : ndarray, shape (m,)
+        """
         coefficients = a * self.scale_y
         return coefficients, self.mean_y - self.mean_f[kept] @ coefficients
 
 
 def solve_damped(matrix: Array, target: Array, damping: float | Array) -> Array:
-    """Solve (M + diag(damping)) A = T; M, symmetric, is overwritten."""
+    """Solve (M + diag(damping)) A = T.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (p, p)
+        M, symmetric; overwritten.
+    target : ndarray, shape (p, m)
+        T.
+    damping : float or ndarray, shape (p,)
+
+    Returns
+    -------
+    a : ndarray, shape (p, m)
+    """
     diagonal = matrix.diagonal().copy()
     matrix.flat[:: len(matrix) + 1] += damping
     try:
-        # Transposed, the symmetric matrix is as LAPACK wants it, and is not copied.
+        # Transposed, the symmetric matrix has LAPACK's memory order and is not copied.
         factor = cho_factor(matrix.T, lower=True, overwrite_a=True, check_finite=False)
     except LinAlgError:
         return _solve_singular(matrix, diagonal, target, damping)
@@ -109,8 +140,8 @@ def solve_damped(matrix: Array, target: Array, damping: float | Array) -> Array:
 def _solve_singular(matrix: Array, diagonal: Array, target: Array, damping: float | Array) -> Array:
     """Raise the damping by a few roundings of the largest diagonal entry until it can be solved.
 
-    That happens for near-duplicate examples. The upper half of the matrix was overwritten, the
-    lower half and the diagonal are at hand.
+    That happens for near-duplicate examples. The upper half of the matrix was overwritten; the
+    lower half and the diagonal are intact.
     """
     whole = np.tril(matrix, -1)
     whole += whole.T

@@ -1,66 +1,50 @@
-"""What all regressors have in common: x̂ = f(z) A + b (Eq. 1), and how sure it is."""
+"""The base of all regressors: x̂ = f(z) A + b (Eq. 1), and its standard deviation."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Literal, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.linalg import cho_factor, cho_solve
+from numpy.typing import ArrayLike
 from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin, clone
+from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.core.errors import InputError
-from silpose.core.serialisation import prefixed, without_prefix
+from silpose.core.serialisation import State, prefixed, without_prefix
+from silpose.core.types import Array, Indices
 from silpose.regression.basis import Basis
-from silpose.regression.normal_equations import Indices, NormalEquations
+from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.posterior import Posterior
 
-Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class _Posterior:
-    """What the predictive variance needs: the problem of the kept functions, and its damping."""
-
-    system: NormalEquations
-    damping: Array
-    a: Array
-
-    def variance(self, f: Array) -> Array:
-        """Variance of each output at ``f (n, k)``, shape (n, m)."""
-        system = self.system
-        damped = system.gram + np.diag(self.damping)
-        inverse = cho_solve(cho_factor(damped, lower=True), np.eye(len(damped)))
-        freedom = len(damped) - self.damping @ inverse.diagonal() + 1  # 1 for the offset
-        misfit = system.power - ((2 * system.target - system.gram @ self.a) * self.a).sum(axis=0)
-        noise = np.maximum(misfit, 0) / max(system.count - freedom, 1.0)
-        centred = f - system.mean_f
-        doubt = np.einsum("nk,kl,nl->n", centred, inverse, centred, optimize=True)
-        return np.outer(1 + 1 / system.count + np.maximum(doubt, 0), noise * system.scale_y**2)
+_ARRAYS = ("coef_", "intercept_", "relevance_")
+_SHARES = ("kept_", "kept_per_output_")
 
 
 class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
     """A linear combination of basis functions.
 
+    A new kind of regressor implements `fit_system`, or `fit_basis` where it needs more than the
+    normal equations.
+
     Attributes
     ----------
     basis_ : Basis
-        Only the basis functions that are kept.
+        The basis functions that are kept.
     relevance_ : ndarray of int, shape (k,)
         Which of all basis functions they are; kernels first, in the order of training rows.
     kept_ : float
         Their share of all basis functions; of an SVM, of all examples.
     kept_per_output_ : float
-        Share that an output has, on average.
+        Share of the basis functions that an output has, on average.
     coef_ : ndarray, shape (k, m)
     intercept_ : ndarray, shape (m,)
     """
 
-    basis: Basis | None
+    basis: Basis | None = None
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Regressor:
-        """Fit the coefficients.
+        """Fit the basis and the coefficients.
 
         Parameters
         ----------
@@ -77,21 +61,36 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         return self
 
     def fit_basis(self, basis: Basis, z: Array, x: Array) -> None:
-        """Fit on a basis that is fitted already."""
+        """Fit on a basis that is fitted already.
+
+        Parameters
+        ----------
+        basis : Basis
+        z, x : ndarray, shapes (n, d) and (n, m)
+        """
         self.fit_system(basis, NormalEquations.of(basis.transform(z), x))
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
-        """Fit to normal equations already at hand, so that one kernel serves many settings."""
+        """Fit to normal equations that are known already: one kernel serves many settings.
+
+        Parameters
+        ----------
+        basis : Basis
+            Fitted.
+        system : NormalEquations
+            Of its functions.
+        """
         raise NotImplementedError
 
     def _keep(
         self, basis: Basis, system: NormalEquations, a: Array, kept: Indices, damping: Array
     ) -> None:
+        """Take over a solution: coefficients, the basis functions kept, and the posterior."""
         self.coef_, self.intercept_ = system.unscaled(a, kept)
         self._keep_basis(basis, kept)
         everything = len(kept) == len(system.gram)
         fitted = system if everything else system.restrict(kept)
-        self._posterior: _Posterior | None = _Posterior(fitted, damping, a)
+        self._posterior: Posterior | None = Posterior(fitted, damping, a)
 
     def _keep_basis(self, basis: Basis, kept: Indices) -> None:
         self.basis_ = basis.restrict(kept)
@@ -107,46 +106,89 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def predict(self, X: ArrayLike, return_std: Literal[True]) -> tuple[Array, Array]: ...
 
     def predict(self, X: ArrayLike, return_std: bool = False) -> Array | tuple[Array, Array]:
-        """Estimate outputs, shape (n, m), and if asked their standard deviations.
+        """Estimate outputs.
 
-        Where the fit is min ‖F A - Y‖² + Σ_k d_k ‖a_k‖², a Gaussian likelihood of noise variance
-        σ² and a Gaussian prior of variance σ² / d_k on a_k (for the RVM, its last bridges:
-        d_k = ν / 2 s_k²) give the posterior covariance σ² P, P = (FᵀF + diag d)⁻¹, and the
-        predictive variance σ² (1 + 1/n + fᵀ P f), f centred. σ² is, for each output, the squared
-        error in training over n - γ, γ = 1 + tr(FᵀF P) being the parameters that the data
-        determine.
+        Parameters
+        ----------
+        X : array-like, shape (n, d)
+            Inputs: descriptors z.
+        return_std : bool, default=False
+            Whether to return standard deviations, too.
+
+        Returns
+        -------
+        estimated : ndarray, shape (n, m)
+        std : ndarray, shape (n, m)
+            Standard deviations of the predictive distribution; only if asked for.
+
+        Raises
+        ------
+        InputError
+            If standard deviations are asked of an SVM, or of a regressor from a file.
+        """
+        estimated, f = self.predict_with_activations(X)
+        if not return_std:
+            return estimated
+        posterior = getattr(self, "_posterior", None)
+        if posterior is None:
+            raise InputError("standard deviations need the ridge or RVM regressor that was fitted")
+        return estimated, np.sqrt(posterior.variance(f))[:, 0 if self._is_single else slice(None)]
+
+    def predict_with_activations(self, X: ArrayLike) -> tuple[Array, Array]:
+        """Estimate outputs, and return the values of the basis functions, too.
+
+        Parameters
+        ----------
+        X : array-like, shape (n, d)
+            Inputs: descriptors z.
+
+        Returns
+        -------
+        estimated : ndarray, shape (n, m)
+            As `predict` returns them.
+        activations : ndarray, shape (n, k)
+            As `activations` returns them.
         """
         f = self.activations(X)
-        estimated = f @ self.coef_ + self.intercept_
-        single = getattr(self, "_single", False)
-        if not return_std:
-            return estimated[:, 0] if single else estimated
-        if getattr(self, "_posterior", None) is None:
-            raise InputError("standard deviations need the ridge or RVM regressor that was fitted")
-        assert self._posterior is not None
-        std = np.sqrt(self._posterior.variance(f))
-        return (estimated[:, 0], std[:, 0]) if single else (estimated, std)
+        estimated = self._combine(f)
+        return (estimated[:, 0] if self._is_single else estimated), f
 
     def activations(self, X: ArrayLike) -> Array:
         """Evaluate the basis functions that are kept, shape (n, k)."""
         check_is_fitted(self)
-        return self.basis_.transform(validate_data(self, X, dtype=float, reset=False))
+        return self.basis_.evaluate(validate_data(self, X, dtype=float, reset=False))
 
-    def to_arrays(self) -> dict[str, Any]:
-        """Give what is needed to predict, as arrays and numbers."""
+    def evaluate(self, z: Array) -> Array:
+        """Estimate outputs, shape (n, m), for descriptors (n, d) that have been checked."""
+        return self._combine(self.basis_.evaluate(z))
+
+    def _combine(self, f: Array) -> Array:
+        return f @ self.coef_ + self.intercept_
+
+    @property
+    def _is_single(self) -> bool:
+        """Whether `fit` was given outputs of shape (n,)."""
+        return getattr(self, "_single", False)
+
+    def to_arrays(self) -> State:
+        """Return what predictions need, as arrays and numbers."""
         check_is_fitted(self)
-        names = ("coef_", "intercept_", "kept_", "kept_per_output_", "relevance_")
-        own = {name: getattr(self, name) for name in names}
+        own = {name: getattr(self, name) for name in (*_ARRAYS, *_SHARES)}
         return own | prefixed("basis", self.basis_.to_arrays())
 
     @classmethod
     def from_arrays(cls, state: dict[str, Any]) -> Regressor:
-        """Restore what `state` gave."""
+        """Restore a regressor from `to_arrays`; it predicts, without standard deviations."""
         regressor = cls()
-        for name in ("coef_", "intercept_", "relevance_"):
+        for name in _ARRAYS:
             setattr(regressor, name, np.asarray(state[name]))
-        regressor.kept_ = float(state["kept_"])
-        regressor.kept_per_output_ = float(state["kept_per_output_"])
+        for name in _SHARES:
+            setattr(regressor, name, float(state[name]))
         regressor.basis_ = Basis.from_arrays(without_prefix("basis", state))
         regressor.n_features_in_ = regressor.basis_.n_features_in_
         return regressor
+
+    def __sklearn_tags__(self) -> Tags:
+        tags = super().__sklearn_tags__()
+        tags.input_tags.positive_only = self.basis is None or self.basis.hellinger
+        return tags

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 
-from silpose.core.errors import InputError
+from silpose.core.parameters import POSITIVE, Constraints, check_parameters
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
@@ -17,20 +19,25 @@ class RidgeRegressor(Regressor):
 
     Parameters
     ----------
-    basis : Basis or None
-        None is the default basis.
-    damping : float
+    basis : Basis or None, default=None
+        Basis functions, not fitted; None is `Basis()`.
+    damping : float, default=0.1
         λ; outputs are scaled to unit variance first.
+
+    See Also
+    --------
+    RelevanceVectorRegressor : Keeps few of the basis functions.
     """
 
-    def __init__(self, basis: Basis | None = None, damping: float = 0.1) -> None:
+    constraints: ClassVar[Constraints] = {"damping": POSITIVE}
+
+    def __init__(self, basis: Basis | None = None, *, damping: float = 0.1) -> None:
         self.basis = basis
         self.damping = damping
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
-        """Solve normal equations already at hand."""
-        if self.damping <= 0:
-            raise InputError(f"damping must be positive, not {self.damping}")
+        """Solve normal equations that are known already."""
+        check_parameters(self)
         everything = np.arange(basis.size_)
         damping = np.full(basis.size_, float(self.damping))
         self._keep(basis, system, system.solve(self.damping), everything, damping)

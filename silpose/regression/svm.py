@@ -2,68 +2,76 @@
 
 from __future__ import annotations
 
+from functools import partial
+from typing import ClassVar
+
 import numpy as np
-from joblib import Parallel, delayed
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 from sklearn.svm import SVR
 
 from silpose.core.errors import InputError
+from silpose.core.parallel import parallel_map
+from silpose.core.parameters import NOT_NEGATIVE, POSITIVE, Constraints, check_parameters
+from silpose.core.types import Array
 from silpose.regression.basis import Basis
 from silpose.regression.regressor import Regressor
-
-Array = NDArray[np.float64]
 
 
 class SupportVectorRegressor(Regressor):
     """ε-insensitive regression on a basis, by scikit-learn's `SVR`.
 
     With kernels, the machines work on the examples that carry one; with a linear basis on all.
+    `joblib.parallel_config` sets how many machines are trained at the same time.
 
     Parameters
     ----------
-    basis : Basis or None
-        Kernels or features, not both. None is the default basis.
-    tube : float or sequence of float
-        Half width ε of the tube within which errors cost nothing, in the units of the outputs;
-        or one for each output.
-    penalty : float
+    basis : Basis or None, default=None
+        Kernels or features, not both, not fitted; None is `Basis()`.
+    tube : float, default=1.0
+        Half width ε of the tube within which errors cost nothing, in `units`.
+    penalty : float, default=3.0
         C, for outputs of unit variance.
-    n_jobs : int or None
-        Machines that are trained at the same time.
+    units : array-like, shape (m,), or None, default=None
+        One unit of error in each output; None is 1.
+
+    See Also
+    --------
+    RelevanceVectorRegressor : One sparse set of basis functions for all outputs.
     """
+
+    constraints: ClassVar[Constraints] = {"tube": NOT_NEGATIVE, "penalty": POSITIVE}
 
     def __init__(
         self,
         basis: Basis | None = None,
-        tube: float | Array = 0.1,
+        *,
+        tube: float = 1.0,
         penalty: float = 3.0,
-        n_jobs: int | None = None,
+        units: ArrayLike | None = None,
     ) -> None:
         self.basis = basis
         self.tube = tube
         self.penalty = penalty
-        self.n_jobs = n_jobs
+        self.units = units
 
     def fit_basis(self, basis: Basis, z: Array, x: Array) -> None:
-        """Train a machine per output."""
-        if self.penalty <= 0 or np.min(self.tube) < 0:
-            raise InputError("penalty must be positive and tube not negative")
+        """Train one machine per output on a fitted basis."""
+        check_parameters(self)
         if basis.kernel and basis.linear:
-            raise InputError("support vectors want kernels or a linear basis, not both")
+            raise InputError("support vectors need kernels or a linear basis, not both")
         f = basis.transform(z)
         rows = basis.indices_ if basis.kernel else np.arange(len(z))
         gram = f[rows] if basis.kernel else f @ f.T
         mean, scale = x.mean(axis=0), x.std(axis=0)
         moving = np.flatnonzero(scale > 1e-10 * np.maximum(np.abs(mean), 1))
-        tubes = np.broadcast_to(np.asarray(self.tube, dtype=float), mean.shape)
-        machines = Parallel(n_jobs=self.n_jobs)(
-            delayed(_train)(
-                gram,
-                (x[rows, j] - mean[j]) / scale[j],
-                tubes[j] / scale[j],
-                self.penalty,
-            )
-            for j in moving
+        tubes = np.broadcast_to(
+            self.tube * np.asarray(1.0 if self.units is None else self.units, dtype=float),
+            mean.shape,
+        )
+        machines = parallel_map(
+            partial(_train, gram, self.penalty),
+            [((x[rows, j] - mean[j]) / scale[j], tubes[j] / scale[j]) for j in moving],
+            prefer="threads",  # libsvm works outside of Python's lock
         )
         dual = np.zeros((len(rows), x.shape[1]))
         self.intercept_ = mean.copy()
@@ -81,7 +89,9 @@ class SupportVectorRegressor(Regressor):
         self.kept_per_output_ = np.count_nonzero(dual) / dual.size
 
 
-def _train(gram: Array, y: Array, tube: float, penalty: float) -> tuple[Array, float]:
+def _train(gram: Array, penalty: float, problem: tuple[Array, float]) -> tuple[Array, float]:
+    """Train the machine of one output and its tube; return dual weights (n,) and offset."""
+    y, tube = problem
     machine = SVR(kernel="precomputed", C=penalty, epsilon=tube).fit(gram, y)
     weights = np.zeros(len(y))
     weights[machine.support_] = machine.dual_coef_[0]

@@ -1,10 +1,15 @@
-"""Where masks come from: a posed body before a camera, or image files."""
+"""Masks: rendered from a posed body in front of a camera, degraded on purpose, or read from files.
 
+Poses come from `silpose.motion`; `silpose.dataset` pairs them with their masks, and
+`silpose.descriptor` describes masks of any origin.
+"""
+
+from silpose.silhouette.blank_masks import is_blank, visible
 from silpose.silhouette.body import BODIES, LEVELS, Body
 from silpose.silhouette.camera import Camera
 from silpose.silhouette.degradations import DEGRADATIONS, contour_damage, degrade
-from silpose.silhouette.mask_files import mask_files, mask_names, read_mask, read_masks
-from silpose.silhouette.random_degradation import Degradation
+from silpose.silhouette.mask_files import MaskFiles, read_masks
+from silpose.silhouette.random_degradation import Degradation, Degrader
 from silpose.silhouette.render import render
 
 __all__ = [
@@ -14,11 +19,12 @@ __all__ = [
     "Body",
     "Camera",
     "Degradation",
+    "Degrader",
+    "MaskFiles",
     "contour_damage",
     "degrade",
-    "mask_files",
-    "mask_names",
-    "read_mask",
+    "is_blank",
     "read_masks",
     "render",
+    "visible",
 ]

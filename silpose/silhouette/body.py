@@ -1,4 +1,4 @@
-"""The mannequin as a body to photograph: from poses to convex pieces of its surface."""
+"""The mannequin as a body to render: from poses to convex pieces of its surface."""
 
 from __future__ import annotations
 
@@ -7,15 +7,14 @@ from functools import lru_cache
 
 import numpy as np
 from mannequin import Mannequin
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial.transform import Rotation
 
 from silpose.core.errors import InputError
 from silpose.core.skeleton import JOINTS, spine_thirds
-
-Array = NDArray[np.float32]
+from silpose.core.types import Array, Array32
 
 BODIES = ("convex", "wooden")
 LEVELS = (0, 1, 2)
@@ -35,38 +34,43 @@ class Body:
 
     Parameters
     ----------
-    kind : {"convex", "wooden"}
-        Rigid convex links, or a skinned surface (slower).
-    level : {0, 1, 2}
+    kind : {"convex", "wooden"}, default="convex"
+        Rigid convex links, or a skinned surface: smoother outlines, a hundred times slower.
+    level : {0, 1, 2}, default=1
         Level of detail of the convex body: 80, 52 or 22 links.
-    shape : sequence of 10 floats, or None
+    shape : sequence of 10 floats, or None, default=None
         SMPL-X shape coefficients, in standard deviations; None is the mean body.
+
+    Raises
+    ------
+    InputError
+        If there is no such kind, level or shape.
     """
 
     def __init__(
-        self, kind: str = "convex", level: int = 1, shape: Sequence[float] | None = None
+        self, kind: str = "convex", level: int = 1, *, shape: Sequence[float] | None = None
     ) -> None:
         if kind not in BODIES:
             raise InputError(f"there is no body '{kind}'; choose one of {', '.join(BODIES)}")
         if level not in LEVELS:
-            raise InputError(f"the body's level of detail is 0, 1 or 2, not {level}")
+            raise InputError(f"the body's level of detail must be 0, 1 or 2, not {level}")
         coefficients = None if shape is None else np.asarray(shape, dtype=np.float32)
         if coefficients is not None and coefficients.shape != (10,):
-            raise InputError(f"a body's shape is 10 coefficients, not {coefficients.size}")
+            raise InputError(f"a body's shape must be 10 coefficients, not {coefficients.size}")
         self.kind = kind
         self.level = level
         self.shape = None if coefficients is None else tuple(coefficients.tolist())
 
-    def pieces(self, rotations: ArrayLike) -> Array:
+    def pieces(self, rotations: ArrayLike) -> Array32:
         """Pose the body and cut its surface into convex pieces.
 
-        The pieces' shadows together are the silhouette: the convex hull of each rigid link's
-        points, or each triangle of a skinned surface.
+        The silhouette is the union of the pieces' projections. A piece is the convex hull of a
+        rigid link's points, or a triangle of a skinned surface.
 
         Parameters
         ----------
         rotations : array-like, shape (F, 18, 3, 3)
-            Of each joint relative to its parent.
+            Rotation of each joint relative to its parent.
 
         Returns
         -------
@@ -81,8 +85,19 @@ class Body:
         turns, shifts = transforms[..., :3, :3], transforms[..., None, :3, 3] - root
         return links @ np.swapaxes(turns, -1, -2) + shifts
 
-    def triangles(self, rotations: ArrayLike) -> Array:
-        """Pose the body and give all triangles of its surface, (F, T, 3, 3), as `pieces` does."""
+    def triangles(self, rotations: ArrayLike) -> Array32:
+        """Pose the body and cut its surface into its triangles.
+
+        Parameters
+        ----------
+        rotations : array-like, shape (F, 18, 3, 3)
+            Rotation of each joint relative to its parent.
+
+        Returns
+        -------
+        points : ndarray, shape (F, T, 3, 3)
+            Metres, the root at the origin: T triangles.
+        """
         mannequin, root, _ = _build(self.kind, self.level, self.shape)
         pose = _smplx_pose(mannequin, np.asarray(rotations, dtype=float))
         vertices = mannequin.vertices(pose) - root
@@ -92,8 +107,8 @@ class Body:
 @lru_cache(maxsize=8)  # a body takes longer to build than to pose, and many are drawn
 def _build(
     kind: str, level: int, shape: tuple[float, ...] | None
-) -> tuple[Mannequin, Array, Array | None]:
-    """Mannequin, place of its root at rest, and the points of its links if it has such."""
+) -> tuple[Mannequin, Array32, Array32 | None]:
+    """Mannequin, position of its root at rest, and the points of its links if it has any."""
     mannequin = Mannequin(
         kind,  # type: ignore[arg-type]
         lod=level if kind == "convex" else None,  # type: ignore[arg-type]
@@ -103,7 +118,7 @@ def _build(
     return mannequin, root, None if mannequin.skinned else _points_of_links(mannequin)
 
 
-def _smplx_pose(mannequin: Mannequin, rotations: NDArray[np.float64]) -> dict[str, Array]:
+def _smplx_pose(mannequin: Mannequin, rotations: Array) -> dict[str, Array32]:
     pose = mannequin.rest_pose(batch_dims=(len(rotations),))
     by_joint = dict(zip(JOINTS, np.moveaxis(rotations, 1, 0), strict=True))
     by_joint["chest"] = spine_thirds(by_joint["chest"])
@@ -114,11 +129,11 @@ def _smplx_pose(mannequin: Mannequin, rotations: NDArray[np.float64]) -> dict[st
     return pose
 
 
-def _points_of_links(mannequin: Mannequin) -> Array:
+def _points_of_links(mannequin: Mannequin) -> Array32:
     """Points of each rigid link in the link's own frame, shape (L, K, 3).
 
-    A link is a closed hull of its own, so it is a connected component of the surface. Short
-    ones repeat a point, which leaves their hull as it is.
+    A link is a closed hull of its own, so it is a connected component of the surface. Links with
+    fewer points repeat one, which does not change their hull.
     """
     rest = mannequin.rest_pose()
     vertices = mannequin.vertices(rest)

@@ -1,4 +1,4 @@
-"""A perspective camera before the person."""
+"""A perspective camera in front of the person."""
 
 from __future__ import annotations
 
@@ -9,33 +9,37 @@ from numpy.typing import ArrayLike, NDArray
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import wrap_degrees
-
-Array = NDArray[np.float64]
+from silpose.core.types import Array
 
 
 @dataclass(frozen=True)
 class Camera:
-    """A pinhole camera on the world's +Z side of what it looks at, its image upright.
+    """A pinhole camera on the world's +Z side of its target, its image upright.
 
     Attributes
     ----------
-    focal_length : float
-        In image heights.
-    elevation : float
-        Degrees by which the camera looks down.
-    distance : float
-        Metres from the camera to what it looks at.
-    width, height : int
+    focal_length : float, default=2.0
+        Image heights.
+    elevation : float, default=5.0
+        Degrees by which the camera looks down, -80 to 80.
+    distance : float, default=4.5
+        Metres from the camera to its target.
+    width, height : int, default=256
         Pixels.
-    follow : bool
-        Whether the camera moves with the person, whose root then stays on the optical axis;
-        else it stands still and looks at the middle of the person's path.
-    azimuth : float
-        Degrees by which it stands away from the world's +Z side, towards +X. Everything else is
-        said in a world that is turned so that the camera is on the +Z side.
-    orbit : float
-        Degrees a second by which it goes round what it looks at: orbiting a straight walk shows
-        as many headings as a turning one.
+    follow : bool, default=True
+        Whether the target is the person's root, which then stays on the optical axis; otherwise
+        it is the fixed middle of the person's path.
+    azimuth : float, default=0.0
+        Degrees by which the camera stands away from the world's +Z side, towards +X. Offsets and
+        headings are in a world that is turned so that the camera is on the +Z side.
+    orbit : float, default=0.0
+        Degrees per second by which the camera circles its target: orbiting a straight walk shows
+        as many headings as a turning walk.
+
+    Raises
+    ------
+    InputError
+        If a length or a number of pixels is not positive, or the elevation out of its range.
     """
 
     focal_length: float = 2.0
@@ -52,7 +56,9 @@ class Camera:
             if getattr(self, name) <= 0:
                 raise InputError(f"the camera's {name} must be positive, not {getattr(self, name)}")
         if not -80 <= self.elevation <= 80:
-            raise InputError(f"the camera's elevation is -80 to 80 degrees, not {self.elevation}")
+            raise InputError(
+                f"the camera's elevation must be from -80 to 80 degrees, not {self.elevation}"
+            )
 
     @property
     def focal_pixels(self) -> float:
@@ -61,7 +67,7 @@ class Camera:
 
     @property
     def position(self) -> Array:
-        """Where it stands relative to what it looks at, shape (3,), metres."""
+        """Position relative to the target, metres, shape (3,)."""
         e = np.deg2rad(self.elevation)
         return self.distance * np.array([0.0, np.sin(e), np.cos(e)])
 
@@ -76,7 +82,7 @@ class Camera:
     def place(
         self, root_position: ArrayLike, heading: ArrayLike, seconds: ArrayLike = 0.0
     ) -> tuple[Array, Array]:
-        """See a walk as this camera does.
+        """Transform a walk from the world to where this camera sees it.
 
         Parameters
         ----------
@@ -84,13 +90,13 @@ class Camera:
             Metres, in the world.
         heading : array-like, shape (F,)
             Degrees, in the world.
-        seconds : float or array-like, shape (F,)
-            Since the walk began.
+        seconds : float or array-like, shape (F,), default=0.0
+            Time since the walk began.
 
         Returns
         -------
         offset : ndarray, shape (F, 3)
-            Of the root from what the camera looks at, metres.
+            Root relative to the target, metres.
         heading : ndarray, shape (F,)
             Relative to the direction from the person to the camera, degrees.
         """
@@ -108,9 +114,17 @@ class Camera:
         return offset, wrap_degrees(heading - bearing)
 
     def project(self, points: NDArray[np.floating]) -> NDArray[np.floating]:
-        """Pixel coordinates (x right, y down), shape (..., 2), of points (..., 3) in metres.
+        """Project points to pixels.
 
-        Points behind the camera come out as NaN.
+        Parameters
+        ----------
+        points : ndarray, shape (..., 3)
+            Metres, relative to the target.
+
+        Returns
+        -------
+        pixels : ndarray, shape (..., 2)
+            x to the right, y down; NaN for points behind the camera.
         """
         dtype = points.dtype
         turned = (points - self.position.astype(dtype)) @ self.orientation.astype(dtype)

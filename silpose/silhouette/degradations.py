@@ -1,9 +1,9 @@
-"""What goes wrong with silhouettes: segmentation errors, occluders, shadows, a frame's edge.
+"""Degradations of silhouettes: segmentation errors, occluders, shadows, a frame's edge.
 
 Each kind of degradation has a strength from 0 (nothing happens) to 1, whose meaning its function
-states, relative to the person, so that it is the same at any resolution. Where nothing, or next to
-nothing, would be left of the person, the strength is halved until enough is left: a degraded mask
-is never blank unless it was blank before.
+states relative to the person, so that it is the same at any resolution. Where hardly anything would
+be left of the person, the strength is halved until enough is left: a degraded mask is never blank
+unless it was blank before.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
+from silpose.core.types import Array32, Mask
 
-Mask = NDArray[np.uint8]
-
-LEAST = 0.05  # share of the person that is always left
+LEAST = 0.05
+"""Share of the person that is always left."""
 
 
 @dataclass(frozen=True)
 class Box:
-    """Rows and columns that a person covers, the last ones excluded."""
+    """Rows and columns that a person covers, pixels, the last ones excluded."""
 
     top: int
     bottom: int
@@ -33,18 +33,18 @@ class Box:
 
     @classmethod
     def of(cls, mask: Mask) -> Box:
-        """Find the person."""
+        """Bounding box of a mask's foreground."""
         left, top, width, height = cv2.boundingRect(mask)
         return cls(top, top + height, left, left + width)
 
     @property
     def height(self) -> int:
-        """Of the person, pixels."""
+        """Height of the person, pixels."""
         return self.bottom - self.top
 
     @property
     def width(self) -> int:
-        """Of the person, pixels."""
+        """Width of the person, pixels."""
         return self.right - self.left
 
 
@@ -59,12 +59,17 @@ def degrade(mask: Mask, kind: str, strength: float, rng: np.random.Generator) ->
     strength : float
         0 to 1.
     rng : numpy.random.Generator
-        Of places, sides and shapes.
+        Draws places, sides and shapes.
 
     Returns
     -------
     degraded : ndarray of 0 and 1, shape (H, W)
         A copy. A blank mask stays blank; of any other at least a twentieth of its pixels is left.
+
+    Raises
+    ------
+    InputError
+        If there is no such kind, or the strength is outside 0 to 1.
     """
     check(kind, strength)
     area = cv2.countNonZero(mask)
@@ -74,7 +79,7 @@ def degrade(mask: Mask, kind: str, strength: float, rng: np.random.Generator) ->
         if cv2.countNonZero(degraded & mask) >= max(1, LEAST * area):
             return degraded
         strength /= 2
-        rng.bit_generator.state = state  # the same damage, only less of it
+        rng.bit_generator.state = state  # the same damage, but weaker
     return mask.copy()
 
 
@@ -83,14 +88,23 @@ def check(kind: str, strength: float) -> None:
     if kind not in DEGRADATIONS:
         raise InputError(f"there is no degradation '{kind}'; there are {', '.join(DEGRADATIONS)}")
     if not 0 <= strength <= 1:
-        raise InputError(f"a degradation's strength is 0 to 1, not {strength}")
+        raise InputError(f"a degradation's strength must be from 0 to 1, not {strength}")
 
 
 def contour_damage(mask: Mask, degraded: Mask) -> float:
-    """Share of the true contour that is lost, or of the seen one that is false: the larger.
+    """Share of the true contour that is lost, or of the observed one that is false.
 
     A contour pixel is lost, or false, if the other mask's contour is farther away than a hundredth
-    of the person's height. 0 for two blank masks, 1 if only one is blank.
+    of the person's height.
+
+    Parameters
+    ----------
+    mask, degraded : ndarray of 0 and 1, shape (H, W)
+
+    Returns
+    -------
+    damage : float
+        The larger of the two shares; 0 for two blank masks, 1 if only one is blank.
     """
     contours = [_contour(m) for m in (mask, degraded)]
     if not all(c.any() for c in contours):
@@ -106,7 +120,7 @@ def _contour(mask: Mask) -> NDArray[np.bool_]:
 
 
 def boundary_noise(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """Fray the outline: its displacement has a standard deviation of a 30th of the height at 1."""
+    """Fray the outline: at 1, displacements have a standard deviation of a 30th of the height."""
     inside = cv2.distanceTransform(mask, cv2.DIST_L2, 3)
     outside = cv2.distanceTransform(1 - mask, cv2.DIST_L2, 3)
     noise = cv2.GaussianBlur(rng.standard_normal(mask.shape), (0, 0), max(box.height / 60, 0.5))
@@ -116,7 +130,7 @@ def boundary_noise(mask: Mask, box: Box, strength: float, rng: np.random.Generat
 
 
 def holes(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """Punch round holes: half of the person is gone at 1."""
+    """Punch round holes: at 1, half of the person is gone."""
     degraded = mask.copy()
     area = cv2.countNonZero(mask)
     person = np.argwhere(mask)
@@ -128,21 +142,21 @@ def holes(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Ma
 
 
 def missing_limb(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """Cut off an arm, a leg or the head: all of it at 1, its outer half at 0.5."""
+    """Cut off an arm, a leg or the head: at 1 all of it, at 0.5 its outer half."""
     limb, reach = _limb(mask, box, rng)
     beyond = limb & (reach > (1 - strength) * reach[limb].max(initial=0))
     return mask * ~beyond
 
 
 def swollen_limb(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """Fatten an arm, a leg or the head, as loose clothes do: by a 15th of the height at 1."""
+    """Thicken an arm, a leg or the head, as loose clothes do: at 1, by a 15th of the height."""
     limb, _ = _limb(mask, box, rng)
     far = cv2.distanceTransform((~limb).astype(np.uint8), cv2.DIST_L2, 3)
     return mask | (far <= strength * box.height / 15).astype(np.uint8)
 
 
 def shadow(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """Throw a shadow from the feet over the ground: as long as the person is tall at 1."""
+    """Add a shadow on the ground, from the feet: at 1, as long as the person is tall."""
     side = rng.choice([-1, 1]) * rng.uniform(0.7, 1.0)
     up = rng.uniform(0.15, 0.35)  # the ground rises in the image with the distance
     cast = np.array(
@@ -158,7 +172,7 @@ def shadow(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> M
 
 
 def horizontal_occluder(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """Hide a horizontal band, as a fence does: half of the person's height at 1."""
+    """Hide a horizontal band, as a fence does: at 1, half of the person's height."""
     band = max(1, round(strength * box.height / 2))
     start = rng.integers(box.top, max(box.bottom - band, box.top) + 1)
     degraded = mask.copy()
@@ -167,7 +181,7 @@ def horizontal_occluder(mask: Mask, box: Box, strength: float, rng: np.random.Ge
 
 
 def vertical_occluder(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """Hide a vertical band, as a lamp post does: half of the person's width at 1."""
+    """Hide a vertical band, as a lamp post does: at 1, half of the person's width."""
     band = max(1, round(strength * box.width / 2))
     start = rng.integers(box.left, max(box.right - band, box.left) + 1)
     degraded = mask.copy()
@@ -176,7 +190,7 @@ def vertical_occluder(mask: Mask, box: Box, strength: float, rng: np.random.Gene
 
 
 def low_resolution(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """See the person from afar: as blocks, of which 12 make the height at 1."""
+    """Lower the resolution, as from afar: at 1, 12 blocks make the person's height."""
     block = max(1.0, strength * box.height / 12)
     height, width = mask.shape
     small = (max(1, round(width / block)), max(1, round(height / block)))
@@ -186,7 +200,7 @@ def low_resolution(mask: Mask, box: Box, strength: float, rng: np.random.Generat
 
 
 def frame_cut(mask: Mask, box: Box, strength: float, rng: np.random.Generator) -> Mask:
-    """End the frame within the person, at the feet, head or a side: half is outside at 1."""
+    """Crop the image within the person, at feet, head or a side: at 1, half is outside."""
     degraded = mask.copy()
     rows, columns = (round(strength * side / 2) for side in (box.height, box.width))
     side = rng.choice(["feet", "head", "left", "right"], p=[0.4, 0.2, 0.2, 0.2])
@@ -212,13 +226,11 @@ DEGRADATIONS: Mapping[str, Kind] = {
 }
 
 
-def _limb(
-    mask: Mask, box: Box, rng: np.random.Generator
-) -> tuple[NDArray[np.bool_], NDArray[np.float32]]:
-    """Choose one of the thin parts of a mask, and measure how far each pixel is from the trunk.
+def _limb(mask: Mask, box: Box, rng: np.random.Generator) -> tuple[NDArray[np.bool_], Array32]:
+    """Draw one of the thin parts of a mask, and measure how far each pixel is from the trunk.
 
-    The trunk is what is left when thin parts are opened away. A mask without thin parts has one
-    where it is farthest from its middle.
+    The trunk is what morphological opening leaves. In a mask without thin parts, the part that is
+    farthest from its centre counts as one.
     """
     size = 2 * (box.height // 14) + 1
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))

@@ -3,17 +3,72 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
-
-Mask = NDArray[np.uint8]
+from silpose.core.types import Mask
+from silpose.silhouette.blank_masks import check_blank, visible
 
 SUFFIXES = (".png", ".bmp", ".tif", ".tiff", ".jpg", ".jpeg")
+
+
+@dataclass(frozen=True)
+class MaskFiles:
+    """Masks of one's own: a folder of images, or a video.
+
+    Attributes
+    ----------
+    source : str or None, default=None
+        Path of the folder or video.
+    blank : {"error", "nan"}, default="error"
+        Whether a mask without a person is an error, or gives a row of NaN.
+    frames_per_second : float, default=15.0
+        Frames per second of the video, or of the images in the folder.
+    """
+
+    source: str | None = None
+    blank: str = "error"
+    frames_per_second: float = 15.0
+
+    def __post_init__(self) -> None:
+        check_blank(self.blank)
+        if not 0 < self.frames_per_second < np.inf:
+            raise InputError(
+                "silhouette.frames_per_second must be a positive number, "
+                f"not {self.frames_per_second}"
+            )
+
+    def read(self) -> list[Mask]:
+        """Read all masks.
+
+        Returns
+        -------
+        masks : list of ndarray of 0 and 1, each of shape (H, W)
+
+        Raises
+        ------
+        InputError
+            If there is no source, or it cannot be read; if a mask is blank and `blank` is
+            "error"; or if all are blank.
+        """
+        source = self._source()
+        masks = read_masks(source)
+        paths = [str(source / name) for name in mask_names(source, len(masks))]
+        visible(masks, self.blank, paths)
+        return masks
+
+    def names(self, count: int) -> list[str]:
+        """Name the masks: a folder's by their files, a video's ``frame 0`` to ``frame count-1``."""
+        return mask_names(self._source(), count)
+
+    def _source(self) -> Path:
+        if self.source is None:
+            raise InputError("there are no masks: add silhouette=masks silhouette.source=FOLDER")
+        return Path(self.source)
 
 
 def mask_files(folder: str | Path) -> list[Path]:
@@ -31,45 +86,6 @@ def _parts(stem: str) -> list[str]:
     return re.split(r"(\d+)", stem)
 
 
-def read_mask(file: str | Path) -> Mask:
-    """Read one mask: what is brighter than half of the image's brightest value is foreground.
-
-    Returns
-    -------
-    mask : ndarray of 0 and 1, shape (H, W)
-    """
-    encoded = np.fromfile(file, dtype=np.uint8)  # unlike imread, keeps quiet and knows any path
-    grey = cv2.imdecode(encoded, cv2.IMREAD_GRAYSCALE) if len(encoded) else None
-    if grey is None:
-        raise InputError(f"'{file}' is no image that can be read: expected a mask such as a PNG")
-    return (grey > grey.max() / 2).astype(np.uint8)
-
-
-def read_masks(source: str | Path, blank: str = "error") -> list[Mask]:
-    """Read all masks of a folder of images, or of a video.
-
-    Parameters
-    ----------
-    source : path
-    blank : {"error", "nan"}
-        Whether a mask without foreground is an error.
-    """
-    if Path(source).is_file():
-        masks = _read_video(Path(source))
-    else:
-        masks = [read_mask(file) for file in mask_files(source)]
-    empty = [k for k, mask in enumerate(masks) if not mask.any()]
-    if empty and blank == "error":
-        name = mask_names(source, len(masks))[empty[0]]
-        raise InputError(
-            f"mask '{Path(source) / name}' has no foreground: "
-            "remove it, or ask for rows of NaN by blank=nan"
-        )
-    if len(empty) == len(masks):
-        raise InputError(f"no mask in '{source}' has a foreground")
-    return masks
-
-
 def mask_names(source: str | Path, count: int) -> list[str]:
     """Name the masks of a folder by their files, those of a video by their frames."""
     if Path(source).is_file():
@@ -77,8 +93,42 @@ def mask_names(source: str | Path, count: int) -> list[str]:
     return [file.name for file in mask_files(source)]
 
 
+def read_mask(file: str | Path) -> Mask:
+    """Read one mask: what is brighter than half of the image's brightest value is foreground.
+
+    Parameters
+    ----------
+    file : str or Path
+
+    Returns
+    -------
+    mask : ndarray of 0 and 1, shape (H, W)
+    """
+    encoded = np.fromfile(file, dtype=np.uint8)  # imread prints warnings, and knows ASCII only
+    grey = cv2.imdecode(encoded, cv2.IMREAD_GRAYSCALE) if len(encoded) else None
+    if grey is None:
+        raise InputError(f"'{file}' is no image that can be read: expected a mask such as a PNG")
+    return (grey > grey.max() / 2).astype(np.uint8)
+
+
+def read_masks(source: str | Path) -> list[Mask]:
+    """Read all masks of a folder of images, or of a video, blank ones included.
+
+    Parameters
+    ----------
+    source : str or Path
+
+    Returns
+    -------
+    masks : list of ndarray of 0 and 1, each of shape (H, W)
+    """
+    if Path(source).is_file():
+        return _read_video(Path(source))
+    return [read_mask(file) for file in mask_files(source)]
+
+
 def _read_video(file: Path) -> list[Mask]:
-    """Read a video of masks: what is brighter than half of its brightest value is foreground."""
+    """Read a video: what is brighter than half of its brightest value is foreground."""
     video = cv2.VideoCapture(str(file))
     frames = []
     while (read := video.read())[0]:

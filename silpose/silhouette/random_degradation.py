@@ -1,4 +1,4 @@
-"""Which masks are degraded, how, and how much: settings, drawn anew for every frame."""
+"""Degradations whose kind and strength are drawn for every frame."""
 
 from __future__ import annotations
 
@@ -11,25 +11,37 @@ import numpy as np
 from silpose.core.errors import InputError
 from silpose.silhouette.degradations import Mask, check, degrade
 
-WHOLE = "none"  # among the kinds: leaves some frames as they are
+UNCHANGED = "none"
+"""Among the kinds, leaves some frames as they are."""
+
+Degrader = Callable[[Mask, int], Mask]
+"""From a mask and its frame to the degraded mask."""
 
 
 class Degradation:
-    """Degrades masks by kinds and strengths drawn for every frame.
+    """Random degradation of masks, of a kind and strength drawn for every frame.
 
     Parameters
     ----------
-    train, test : list of str
-        Kinds (`silpose.silhouette.DEGRADATIONS`, and ``"none"``) that the masks of training and
-        validation, and of testing, suffer: each frame one of them. Without any they stay whole.
-    strength : float or [float, float]
+    train : list of str or None, default=None
+        Kinds (`silpose.silhouette.DEGRADATIONS`, and ``"none"``) to draw from for the masks of
+        training and validation, one for each frame. None leaves all masks as they are.
+    test : list of str or None, default=None
+        Kinds to draw from for the masks of testing.
+    strength : float or [float, float], default=0.5
         0 to 1, or the lowest and highest to draw from.
-    seed : int
-        The same seed, sequence and frame give the same damage.
+    seed : int, default=0
+        The same seed, take and frame give the same damage.
+
+    Raises
+    ------
+    InputError
+        If there is no such kind, or a strength is outside 0 to 1.
     """
 
     def __init__(
         self,
+        *,
         train: list[str] | None = None,
         test: list[str] | None = None,
         strength: float | list[float] = 0.5,
@@ -41,27 +53,33 @@ class Degradation:
         self.seed = seed
         bounds = [strength] if isinstance(strength, int | float) else list(strength)
         if len(bounds) not in (1, 2) or not all(isinstance(b, int | float) for b in bounds):
-            raise InputError(f"a strength is one number or two, lowest and highest, not {strength}")
+            raise InputError(
+                f"a degradation's strength must be a number or [lowest, highest], not {strength}"
+            )
         self._low, self._high = sorted((bounds[0], bounds[-1]))
-        for kind in {*self.train, *self.test, "holes"} - {WHOLE}:
+        for kind in {*self.train, *self.test, "holes"} - {UNCHANGED}:
             for bound in bounds:
                 check(kind, bound)
 
-    def degrader(self, kinds: Sequence[str]) -> Callable[[str], Callable[[Mask, int], Mask] | None]:
-        """Give what degrades masks by some kinds, `train` or `test`.
+    def degrader(self, kinds: Sequence[str], take: str) -> Degrader | None:
+        """Make the function that degrades the masks of one take.
+
+        Parameters
+        ----------
+        kinds : sequence of str
+            `train` or `test`.
+        take : str
+            Name of the take.
 
         Returns
         -------
-        degrader : callable
-            From the name of a sequence to a function of a mask and its frame; None if there are no
-            kinds.
+        degrader : callable or None
+            From a mask and its frame to the degraded mask; None if there are no kinds.
         """
-        if not kinds:
-            return lambda name: None
-        return lambda name: partial(self._one, kinds, name)
+        return partial(self._degraded, kinds, take) if kinds else None
 
-    def _one(self, kinds: Sequence[str], name: str, mask: Mask, frame: int) -> Mask:
-        rng = np.random.default_rng([self.seed, crc32(name.encode()), int(frame)])
+    def _degraded(self, kinds: Sequence[str], take: str, mask: Mask, frame: int) -> Mask:
+        rng = np.random.default_rng([self.seed, crc32(take.encode()), int(frame)])
         kind = kinds[int(rng.integers(len(kinds)))]
         strength = rng.uniform(self._low, self._high)
-        return mask if kind == WHOLE else degrade(mask, kind, strength, rng)
+        return mask if kind == UNCHANGED else degrade(mask, kind, strength, rng)

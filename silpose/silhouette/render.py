@@ -1,4 +1,4 @@
-"""Masks of a posed body before a camera."""
+"""Masks of a posed body in front of a camera."""
 
 from __future__ import annotations
 
@@ -8,28 +8,28 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from silpose.core.types import Mask
 from silpose.silhouette.body import Body
 from silpose.silhouette.camera import Camera
 
-Mask = NDArray[np.uint8]
-
-_BLOCK = 32  # frames posed at a time: enough to share the overhead, small enough for memory
+_BLOCK = 32  # frames posed at once: enough to share the overhead, few enough for memory
 _SHIFT = 4  # bits of a pixel's fraction that OpenCV's filling takes
 
 
 def render(
     body: Body, camera: Camera, rotations: ArrayLike, offset: ArrayLike | None = None
 ) -> Iterator[Mask]:
-    """Fill the silhouette of every pose.
+    """Render the silhouette of every pose.
 
     Parameters
     ----------
     body : Body
     camera : Camera
     rotations : array-like, shape (F, 18, 3, 3)
-        Of each joint relative to its parent; the root's heading is relative to the camera.
+        Rotation of each joint relative to its parent; the root's heading is relative to the
+        camera.
     offset : array-like, shape (F, 3), optional
-        Of the root from what the camera looks at, metres; on the optical axis if not given.
+        Root relative to the camera's target, metres; by default on the optical axis.
 
     Yields
     ------
@@ -51,9 +51,10 @@ def fill_pieces(pieces: NDArray[np.floating], height: int, width: int) -> Mask:
     Parameters
     ----------
     pieces : ndarray, shape (P, K, 2)
-        Pixel coordinates of the points whose convex hull each piece is; a piece with a point
-        that is not finite (behind the camera) is left out.
+        Pixel coordinates of P pieces, each the convex hull of K points. A piece with a point that
+        is not finite (behind the camera) is left out.
     height, width : int
+        Pixels.
 
     Returns
     -------
@@ -61,7 +62,7 @@ def fill_pieces(pieces: NDArray[np.floating], height: int, width: int) -> Mask:
     """
     mask = np.zeros((height, width), np.uint8)
     pieces = pieces[np.isfinite(pieces).all(axis=(1, 2))]
-    if pieces.shape[1] == 3:  # triangles of a closed surface: those that face us are enough
+    if pieces.shape[1] == 3:  # triangles of a closed surface: those that face the camera are enough
         (ax, ay), (bx, by), (cx, cy) = np.moveaxis(pieces, 0, -1)
         pieces = pieces[(bx - ax) * (cy - ay) < (by - ay) * (cx - ax)]
         hulls = iter(np.rint(pieces * (1 << _SHIFT)).astype(np.int32))

@@ -1,4 +1,7 @@
-"""Poses over time: dynamics, state-sensitive regression, trackers and their rivals (section V).
+"""Poses over time: dynamics, state-sensitive regression and trackers (sections V and VI).
+
+Descriptors of a take, frame by frame, become poses; what is fitted comes from the training takes
+of a dataset, what is tracked goes to evaluation, recordings and the live model.
 
 >>> import numpy as np
 >>> from silpose.core.pose_space import ANGLES
@@ -10,59 +13,57 @@
 >>> track = tracker.track(z, lag=5)
 >>> print(track.x.shape, track.state[-1])
 (90, 55) tracking
+>>> stream = tracker.start()
+>>> pose, state = stream.step(z[0])
+>>> print(pose.shape, state)
+(55,) starting
 """
 
+from silpose.tracking.base_tracker import Tracker, TrackerStream
 from silpose.tracking.belief_tracker import BeliefTracker
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.multiple_hypothesis_tracker import MultipleHypothesisTracker
-from silpose.tracking.selection.hypotheses import choose_hypotheses
-from silpose.tracking.selection.search import GIVEN, Estimate, Selection
-from silpose.tracking.selection.settings import (
-    DynamicsSettings,
-    HypothesesSettings,
-    JointSettings,
-    RivalSettings,
-    TrackerSettings,
-    TrackingSettings,
-)
-from silpose.tracking.selection.stacking import AnyTracker
-from silpose.tracking.selection.trackers import (
+from silpose.tracking.selection import (
+    Estimate,
+    SmoothingBaselines,
+    TrackerSelection,
+    TrackingCandidates,
+    choose_belief_tracker,
     choose_dynamics,
-    choose_joint,
-    choose_rivals,
-    choose_tracker,
+    choose_hypothesis_tracker,
+    choose_single_pose_tracker,
+    choose_smoothing_baselines,
 )
-from silpose.tracking.single_pose_tracker import SinglePoseTracker
+from silpose.tracking.single_pose_tracker import EXTINCT, GIVEN, SinglePoseTracker
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
-from silpose.tracking.track import ManyTracks, Track
+from silpose.tracking.track import STATES, Track
 
-TRACKERS: dict[str, type[AnyTracker]] = {
-    kind.__name__: kind for kind in (BeliefTracker, MultipleHypothesisTracker)
+TRACKERS: dict[str, type[Tracker]] = {
+    kind.__name__: kind for kind in (BeliefTracker, MultipleHypothesisTracker, SinglePoseTracker)
 }
+"""All trackers by name, which is what a saved model holds."""
 
 __all__ = [
+    "EXTINCT",
     "GIVEN",
+    "STATES",
     "TRACKERS",
-    "AnyTracker",
     "BeliefTracker",
-    "DynamicsSettings",
     "Estimate",
-    "HypothesesSettings",
-    "JointSettings",
-    "ManyTracks",
     "MultipleHypothesisTracker",
-    "RivalSettings",
     "SecondOrderDynamics",
-    "Selection",
     "SinglePoseTracker",
+    "SmoothingBaselines",
     "StateSensitiveRegressor",
     "Track",
-    "TrackerSettings",
-    "TrackingSettings",
+    "Tracker",
+    "TrackerSelection",
+    "TrackerStream",
+    "TrackingCandidates",
+    "choose_belief_tracker",
     "choose_dynamics",
-    "choose_hypotheses",
-    "choose_joint",
-    "choose_rivals",
-    "choose_tracker",
+    "choose_hypothesis_tracker",
+    "choose_single_pose_tracker",
+    "choose_smoothing_baselines",
     "observed_and_sampled",
 ]

@@ -1,20 +1,15 @@
-"""Belief over key poses: how it moves, how a silhouette corrects it, how later ones revise it."""
+"""Bayesian filtering and fixed-lag smoothing of a belief over key poses."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-
-STATES = ("starting", "tracking", "lost", "recovered")
-
-SETTLED = 0.7  # heading norm of a belief from which a start, or a new one, counts as made
-DOUBTFUL = 0.3  # heading norm below which a track counts as lost
+from silpose.core.types import Array
+from silpose.tracking.track import next_state
 
 
 def update(predicted: Array, likelihood: Array) -> tuple[Array, float]:
-    """Weigh a prediction by what is seen.
+    """Weight a prediction by the likelihood of what is seen: Bayes' rule.
 
     Parameters
     ----------
@@ -35,12 +30,13 @@ def update(predicted: Array, likelihood: Array) -> tuple[Array, float]:
     return belief / total, -np.log(total)
 
 
-class Filter:
-    """One pass over frames: the belief, and whether it is to be trusted.
+class BeliefFilter:
+    """Bayes filter with track status.
 
     Parameters
     ----------
     transitions : ndarray, shape (K, K)
+        Probability that one key pose follows another.
     prior : ndarray, shape (K,)
         Belief before anything is seen.
     headings : ndarray, shape (K, 2)
@@ -55,7 +51,7 @@ class Filter:
     belief : ndarray, shape (K,), or None
         None before the first frame.
     surprise : float
-        Of the last frame.
+        Surprise of the last frame, as of `update`.
     """
 
     def __init__(
@@ -68,12 +64,25 @@ class Filter:
         self.surprise = 0.0
 
     def step(self, likelihood: Array, blank: bool = False) -> tuple[Array, str]:
-        """Go one frame on; give the belief and the state."""
+        """Filter one frame more.
+
+        Parameters
+        ----------
+        likelihood : ndarray, shape (K,)
+            Likelihood of what is seen, given each key pose; the largest is 1.
+        blank : bool, default=False
+            Whether there was nothing to see.
+
+        Returns
+        -------
+        belief : ndarray, shape (K,)
+        state : str
+        """
         first = self.belief is None
         predicted = self._prior if self.belief is None else self.belief @ self._transitions
         belief, self.surprise = update(predicted, likelihood)
         lost = self.surprise > self._tolerance and not first
-        if lost and self._recovers:  # perhaps it is somebody else, or somewhere else
+        if lost and self._recovers:  # perhaps it is another person, or another place
             belief, _ = update((predicted + self._prior) / 2, likelihood)
         norm = float(np.linalg.norm(belief @ self._headings))
         self.belief = belief
@@ -81,28 +90,8 @@ class Filter:
         return belief, self._state
 
 
-def next_state(state: str, lost: bool, heading_norm: float) -> str:
-    """Give the state of a track one frame later.
-
-    Parameters
-    ----------
-    state : str
-    lost : bool
-        Whether what is seen, if anything, has nothing to do with what was expected.
-    heading_norm : float
-        Of the estimate.
-    """
-    if state == "starting":
-        return "tracking" if heading_norm > SETTLED and not lost else "starting"
-    if lost or heading_norm < DOUBTFUL:
-        return "lost"
-    if state == "lost":
-        return "recovered" if heading_norm > SETTLED else "lost"
-    return "tracking"
-
-
 def fixed_lag_smooth(beliefs: Array, likelihoods: Array, transitions: Array, lag: int) -> Array:
-    """Let every belief know the next `lag` silhouettes too: fixed-lag smoothing.
+    """Condition every belief on the next `lag` frames, too.
 
     Parameters
     ----------
@@ -113,22 +102,22 @@ def fixed_lag_smooth(beliefs: Array, likelihoods: Array, transitions: Array, lag
 
     Returns
     -------
-    revised : ndarray, shape (F, K)
+    smoothed : ndarray, shape (F, K)
         Rows sum to 1.
     """
     frames = len(beliefs)
-    # ahead[t] is what frames t+1 to t+h say of each key pose at t; each round looks one further.
+    # ahead[t]: likelihood of frames t+1 to t+h given each key pose at t; h grows by 1 a round.
     ahead = np.ones_like(beliefs)
     for _ in range(min(lag, frames - 1)):
-        told = (likelihoods[1:] * ahead[1:]) @ transitions.T
-        peak = told.max(axis=1, keepdims=True)
-        ahead = np.vstack([told / np.where(peak > 0, peak, 1), np.ones(beliefs.shape[1])])
-    revised = beliefs * ahead
-    total = revised.sum(axis=1, keepdims=True)
-    return np.where(total > 0, revised / np.where(total > 0, total, 1), beliefs)
+        message = (likelihoods[1:] * ahead[1:]) @ transitions.T
+        peak = message.max(axis=1, keepdims=True)
+        ahead = np.vstack([message / np.where(peak > 0, peak, 1), np.ones(beliefs.shape[1])])
+    smoothed = beliefs * ahead
+    total = smoothed.sum(axis=1, keepdims=True)
+    return np.where(total > 0, smoothed / np.where(total > 0, total, 1), beliefs)
 
 
 def reversed_time(transitions: Array, sizes: Array) -> Array:
-    """Transitions (K, K) of a film that runs backwards: Bayes' rule, sizes (K,) being the prior."""
+    """Return the time-reversed transition matrix (K, K), by Bayes' rule with prior sizes (K,)."""
     joint = sizes[:, None] * transitions
     return (joint / joint.sum(axis=0)).T

@@ -3,51 +3,69 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
 from silpose.core.errors import InputError
+from silpose.core.parameters import POSITIVE, Constraints, check_parameters
+from silpose.core.serialisation import State, arrays_of, estimator_from
+from silpose.core.types import Array
 
-Array = NDArray[np.float64]
+_FITTED = ("mean_", "scale_", "coef_")
 
 
 class SecondOrderDynamics(BaseEstimator):
-    """Predicts x̌_t = (I + A)(2 x_{t-1} - x_{t-2}) + B x_{t-1} (Eq. 8).
+    """Predictions x̌_t = (I + A)(2 x_{t-1} - x_{t-2}) + B x_{t-1} (Eq. 8).
 
     Poses are centred and at unit variance, so that A = B = 0, to which heavy damping leads, is
     constant velocity.
 
     Parameters
     ----------
-    damping : float
-        λ of λ (‖A‖² + ‖B‖²).
+    damping : float, default=10.0
+        λ of the penalty λ (‖A‖² + ‖B‖²).
 
     Attributes
     ----------
     mean_, scale_ : ndarray, shape (D,)
+        By which poses are centred and scaled.
     coef_ : ndarray, shape (2 D, D)
         Aᵀ above Bᵀ.
+
+    References
+    ----------
+    A. Agarwal, B. Triggs, "Recovering 3D human pose from monocular images", IEEE TPAMI 2006,
+    section V.
     """
+
+    constraints: ClassVar[Constraints] = {"damping": POSITIVE}
 
     def __init__(self, damping: float = 10.0) -> None:
         self.damping = damping
 
-    def fit(self, poses: Sequence[ArrayLike], y: object = None) -> SecondOrderDynamics:
+    def fit(self, poses: Sequence[ArrayLike], y: object = None) -> Self:
         """Regress each pose on the two before it.
 
         Parameters
         ----------
         poses : sequence of array-like, each (F, D)
-            One per take; takes of less than three frames tell nothing.
+            Poses of each take; takes of fewer than three frames are left out.
+        y : None
+            Ignored.
+
+        Raises
+        ------
+        InputError
+            If no take has three frames.
         """
-        if not self.damping > 0:
-            raise InputError(f"damping must be positive, not {self.damping}")
+        check_parameters(self)
         takes = [np.asarray(take, dtype=float) for take in poses]
         if not any(len(take) > 2 for take in takes):
-            raise InputError("dynamics want a sequence of three frames or more")
+            raise InputError("dynamics need a take of three frames or more")
         every = np.concatenate(takes)
         deviation = every.std(axis=0)
         self.mean_ = every.mean(axis=0)
@@ -61,6 +79,7 @@ class SecondOrderDynamics(BaseEstimator):
 
     @staticmethod
     def _steps(take: Array) -> tuple[Array, Array]:
+        """Return regression inputs, and outputs: what constant velocity leaves to explain."""
         straight = 2 * take[1:-1] - take[:-2]
         return np.hstack([straight, take[1:-1]]), take[2:] - straight
 
@@ -84,12 +103,37 @@ class SecondOrderDynamics(BaseEstimator):
         ahead = straight + np.concatenate([straight, last], axis=-1) @ self.coef_
         return ahead * self.scale_ + self.mean_
 
+    def predict_within(self, previous: Array, before: Array, reach: float) -> Array:
+        """Predict as `predict` does, and keep a diverging state bounded.
+
+        Parameters
+        ----------
+        previous, before : ndarray, shape (..., D)
+        reach : float
+            Largest difference from the mean pose, in standard deviations.
+        """
+        bound = reach * self.scale_
+        return np.clip(self.predict(previous, before), self.mean_ - bound, self.mean_ + bound)
+
     def run(self, start: ArrayLike, frames: int) -> Array:
-        """Let go: poses (frames, D) that follow from the first two alone, never corrected."""
+        """Predict in open loop: poses (frames, D) that follow from the first two alone.
+
+        Parameters
+        ----------
+        start : array-like, shape (2, D)
+        frames : int
+        """
         poses = [np.asarray(x, dtype=float) for x in np.asarray(start)[:2]]
         while len(poses) < frames:
             poses.append(self.predict(poses[-1], poses[-2]))
         return np.array(poses[:frames])
 
+    def to_arrays(self) -> State:
+        """Return parameters and fitted attributes as arrays and numbers."""
+        check_is_fitted(self)
+        return arrays_of(self, _FITTED)
 
-LEARNT_DYNAMICS = ("mean_", "scale_", "coef_")
+    @classmethod
+    def from_arrays(cls, state: State) -> Self:
+        """Restore dynamics from the result of `to_arrays`."""
+        return estimator_from(cls, state, _FITTED)

@@ -1,16 +1,16 @@
-"""What trackers have in common: their estimates are regressed on key poses."""
+"""The common part of trackers whose estimates are regressed on key poses."""
 
 from __future__ import annotations
 
+from abc import abstractmethod
+from collections.abc import Mapping
 from dataclasses import asdict
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
-from numpy.typing import NDArray
-from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.core.errors import InputError
+from silpose.core.parameters import FROM_0_TO_1, POSITIVE, SHARE, Constraints, one_of
 from silpose.core.pose_space import SPACES
 from silpose.core.serialisation import (
     State,
@@ -20,15 +20,23 @@ from silpose.core.serialisation import (
     unwrapped,
     without_prefix,
 )
-from silpose.tracking.key_poses import Examples, KeyExamples, KeyPoseComparison, KeyPoses
-from silpose.tracking.local_regression import regress_locally
+from silpose.core.types import Array, Examples
+from silpose.tracking.base_tracker import Run, Tracker
+from silpose.tracking.key_poses import KeyExamples, KeyPoseComparison, KeyPoses
+from silpose.tracking.local_regression import regress_locally, weights_around
 from silpose.tracking.silhouette_regressor import SilhouetteRegressor
 
-Array = NDArray[np.float64]
+SHARES: Mapping[str, slice] = {"heading_alone": slice(0, 2), "body_alone": slice(2, None)}
+"""Columns of a pose, by the parameter that is their share regressed on the silhouette alone."""
 
 
-class KeyPoseTracker(BaseEstimator):
-    """A tracker that says which key poses are meant, for an estimate to be regressed on them.
+class KeyPoseTracker(Tracker[Run]):
+    """A tracker that weights key poses, on which the estimate is regressed.
+
+    The estimate is (1 - s) x̂_local + s x̂_alone: locally weighted regression on key poses, and
+    regression on the silhouette alone, where it resembles a key pose's. The share s is
+    `heading_alone` in the columns of the heading, `body_alone` in the others, and lower for
+    silhouettes that resemble none.
 
     Attributes
     ----------
@@ -37,53 +45,131 @@ class KeyPoseTracker(BaseEstimator):
     silhouette_alone_ : SilhouetteRegressor
     """
 
-    space: str  # parameters: the trackers explain them
+    constraints: ClassVar[Constraints] = {
+        "space": one_of(*SPACES),
+        "keep": SHARE,
+        "pose_width": POSITIVE,
+        "descriptor_width": POSITIVE,
+        "damping": POSITIVE,
+        "heading_alone": FROM_0_TO_1.or_none(),
+        "body_alone": FROM_0_TO_1.or_none(),
+        "frames_per_second": POSITIVE,
+    }
+    _fitted: ClassVar[tuple[str, ...]]  # names of fitted arrays and numbers
+
+    space: str
     keep: float
     pose_width: float
     descriptor_width: float
     damping: float
-    heading_alone: float
-    body_alone: float
+    heading_alone: float | None
+    body_alone: float | None
     random_state: int | None
-    _learnt: tuple[str, ...]  # names of fitted arrays and numbers
-    _positive: tuple[str, ...] = ("pose_width", "descriptor_width", "damping")
 
-    def key_poses(self, sequences: Examples) -> KeyPoses:
-        """Cluster the poses of training sequences ``(z, x)``."""
-        return KeyPoses.of(sequences, SPACES[self.space], self.keep, self.random_state)
+    def key_poses(self, takes: Examples) -> KeyPoses:
+        """Cluster the poses of training takes ``(z, x)``."""
+        return KeyPoses.fit(takes, SPACES[self.space], self.keep, self.random_state)
 
-    def _compare_with(self, keys: KeyPoses) -> None:
-        for name in self._positive:
-            if not getattr(self, name) > 0:
-                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
-        for name in ("heading_alone", "body_alone"):
-            if not 0 <= getattr(self, name) <= 1:
-                raise InputError(f"{name} is a share from 0 to 1, not {getattr(self, name)}")
+    @abstractmethod
+    def track_separately(self, z: Array) -> tuple[Array, Array]:
+        """Track a take, and keep both parts of the estimates, of which they are a sum.
+
+        Parameters
+        ----------
+        z : ndarray, shape (F, d)
+
+        Returns
+        -------
+        local : ndarray, shape (F, D)
+            Regressed on key poses.
+        change : ndarray, shape (F, D)
+            What a share of 1 that is regressed on the silhouette alone adds: with shares s,
+            estimates are local + s · change.
+        """
+
+    def _use_key_poses(self, keys: KeyPoses) -> None:
         self.examples_, self.silhouette_alone_ = keys.examples, keys.silhouette_alone
 
-    def _regressed(self, weights: Array, sight: KeyPoseComparison) -> Array:
-        """Estimate poses (F, D), from weights (F, K) of key poses and from what is seen."""
-        own, seen = self.examples_, ~sight.blank
-        rows = zip(weights, sight.descriptors, strict=True)
-        poses = np.array(
+    @property
+    def columns(self) -> tuple[int, int]:
+        """Number of columns of descriptors and of poses, d and D."""
+        return len(self.examples_.whitening), len(self.examples_.mean)
+
+    @property
+    def _shares(self) -> Array:
+        """Share of each column that is regressed on the silhouette alone, shape (D,)."""
+        shares = np.zeros(len(self.examples_.mean))
+        for name, columns in SHARES.items():
+            shares[columns] = getattr(self, name) or 0.0  # None: not chosen
+        return shares
+
+    def regress(self, weights: Array, comparison: KeyPoseComparison) -> Array:
+        """Estimate poses.
+
+        Parameters
+        ----------
+        weights : ndarray, shape (F, K)
+            Weights of key poses; each frame's sum to 1.
+        comparison : KeyPoseComparison
+            What is seen in the same frames.
+
+        Returns
+        -------
+        x : ndarray, shape (F, D)
+        """
+        local, change = self.regress_separately(weights, comparison)
+        return local + self._shares * change
+
+    def regress_separately(
+        self, weights: Array, comparison: KeyPoseComparison
+    ) -> tuple[Array, Array]:
+        """Estimate poses as `regress` does; return the parts that `track_separately` does."""
+        own, seen = self.examples_, ~comparison.blank
+        rows = zip(weights, comparison.descriptors, strict=True)
+        local = np.array(
             [regress_locally(w, own.poses, own.descriptors, z, self.damping) for w, z in rows]
         )
-        alone, distances = self.silhouette_alone_, sight.distances[seen]
-        share = np.full(len(own.mean), self.body_alone)
-        share[:2] = self.heading_alone
-        poses[seen] += share * alone.trust(distances) * (alone.predict(distances) - poses[seen])
-        return poses * own.scale + own.mean
+        alone, distances = self.silhouette_alone_, comparison.distances[seen]
+        change = np.zeros_like(local)
+        change[seen] = alone.confidence(distances) * (alone.predict(distances) - local[seen])
+        return local * own.scale + own.mean, change * own.scale
+
+    def regress_around(self, rough: Array, z: Array) -> Array:
+        """Refine rough poses where there is something to see.
+
+        Parameters
+        ----------
+        rough : ndarray, shape (F, D)
+        z : ndarray, shape (F, d)
+
+        Returns
+        -------
+        x : ndarray, shape (F, D)
+        """
+        local, change = self.regress_around_separately(rough, z)
+        return local + self._shares * change
+
+    def regress_around_separately(self, rough: Array, z: Array) -> tuple[Array, Array]:
+        """Refine as `regress_around` does; return the parts that `track_separately` does."""
+        local, change = rough.copy(), np.zeros_like(rough)
+        seen = np.isfinite(z).all(axis=1)
+        if seen.any():
+            comparison = self.examples_.compare(z[seen])
+            widths = self.pose_width, self.descriptor_width
+            weights = weights_around(rough[seen], comparison, self.examples_, *widths)
+            local[seen], change[seen] = self.regress_separately(weights, comparison)
+        return local, change
 
     def to_arrays(self) -> State:
-        """Give parameters and what was learnt, as arrays, numbers and words."""
+        """Return parameters and fitted attributes as arrays, numbers and strings."""
         check_is_fitted(self)
-        own = arrays_of(self, self._learnt) | prefixed("examples", asdict(self.examples_))
+        own = arrays_of(self, self._fitted) | prefixed("examples", asdict(self.examples_))
         return own | prefixed("silhouette_alone", asdict(self.silhouette_alone_))
 
     @classmethod
     def from_arrays(cls, state: State) -> Self:
-        """Restore what `state` gave."""
-        tracker = estimator_from(cls, state, cls._learnt)
+        """Restore a tracker from the result of `to_arrays`."""
+        tracker = estimator_from(cls, state, cls._fitted)
         tracker.examples_ = KeyExamples(**unwrapped(without_prefix("examples", state)))
         alone = unwrapped(without_prefix("silhouette_alone", state))
         tracker.silhouette_alone_ = SilhouetteRegressor(**alone)

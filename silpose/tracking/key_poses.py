@@ -1,39 +1,36 @@
-"""Key poses: the few training examples' worth of pose space over which a tracker's belief lies.
+"""Key poses: clusters of training poses, over which a tracker's belief is distributed.
 
-Clusters of training poses. Each knows the mean pose and the mean descriptor of its frames, and
-where they went next.
+Each has the mean pose and the mean descriptor of its frames, and the poses that followed them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from sklearn.cluster import KMeans
 
-from silpose.core.errors import InputError
 from silpose.core.pose_space import PoseSpace
-from silpose.regression.mixture.reduction import whitening
+from silpose.core.types import Array, Examples
+from silpose.regression.mixture import whitening
 from silpose.tracking.silhouette_regressor import SilhouetteRegressor
-
-Array = NDArray[np.float64]
-Examples = Sequence[tuple[Array, Array]]
 
 
 @dataclass(frozen=True)
 class KeyPoseComparison:
-    """Frames as they compare with key poses.
+    """Descriptors of frames in comparison with those of key poses.
 
     Attributes
     ----------
     descriptors : ndarray, shape (F, d)
         Whitened; NaN where there was nothing to see.
     distances : ndarray, shape (F, K)
-        Squared, to key poses' descriptors, in their spread; 0 where there was nothing to see.
+        Squared distances to key poses' descriptors, in units of their spread; 0 where there was
+        nothing to see.
     """
 
     descriptors: Array
@@ -47,16 +44,16 @@ class KeyPoseComparison:
 
 @dataclass(frozen=True)
 class KeyExamples:
-    """Key poses and what they look like: with these, poses and descriptors are compared.
+    """Poses and descriptors of key poses, with which others are compared.
 
     Attributes
     ----------
     mean, scale : ndarray, shape (D,)
         By which poses are standardised. A column's scale is the geometric mean of its standard
-        deviation and of one unit of the reported metric: of the deviation alone, angles that
-        hardly move would weigh as much as a leg's, of the unit alone, the heading nearly all.
+        deviation and of one unit of the reported metric: with the deviation alone, angles that
+        hardly move would weigh as much as a leg's, with the unit alone, the heading nearly all.
     whitening : ndarray, shape (d, d)
-        Of square roots of descriptors: divides by their scatter within key poses, so that
+        Applied to square roots of descriptors: divides by their scatter within key poses, so that
         what varies although the pose does not counts less.
     poses : ndarray, shape (K, D)
         Standardised.
@@ -78,14 +75,9 @@ class KeyExamples:
         """Cos and sin of each key pose's heading, shape (K, 2)."""
         return self.poses[:, :2] * self.scale[:2] + self.mean[:2]
 
-    def see(self, z: ArrayLike) -> KeyPoseComparison:
+    def compare(self, z: Array) -> KeyPoseComparison:
         """Compare descriptors (F, d); what is not finite was not seen."""
-        z, columns = np.asarray(z, dtype=float), len(self.whitening)
-        if z.ndim != 2 or z.shape[1] != columns:
-            raise InputError(f"descriptors have shape {z.shape}: expected (frames, {columns})")
-        if len(z) == 0:
-            raise InputError("there is no frame to track")
-        blank = ~np.isfinite(z).all(axis=1)
+        blank = np.asarray(~np.isfinite(z).all(axis=1))
         seen = np.sqrt(np.where(blank[:, None], 0, np.maximum(z, 0))) @ self.whitening
         distances = self.descriptor_distances(seen)
         seen[blank], distances[blank] = np.nan, 0
@@ -96,7 +88,7 @@ class KeyExamples:
         return squared_distances((x - self.mean) / self.scale, self.poses) / len(self.mean)
 
     def descriptor_distances(self, seen: Array) -> Array:
-        """Squared distance of whitened descriptors (n, d) to key poses', in `spread`, (n, K)."""
+        """Squared distances of whitened descriptors (n, d) to key poses', over `spread`, (n, K)."""
         distances = squared_distances(seen, self.descriptors)
         distances /= self.spread
         return distances
@@ -104,13 +96,13 @@ class KeyExamples:
 
 @dataclass(frozen=True)
 class KeyPoses:
-    """Key poses of some training sequences, before kernel widths are chosen.
+    """Key poses of some training takes, before kernel widths are chosen.
 
     Attributes
     ----------
     examples : KeyExamples
     poses, following : ndarray, shape (n, D)
-        Of each training frame, and after it, standardised.
+        Pose of each training frame, and of the frame after it, standardised.
     seen : ndarray, shape (n, d)
         Whitened descriptors of training frames.
     members : csr_array, shape (K, n)
@@ -124,23 +116,32 @@ class KeyPoses:
     members: csr_array
 
     @classmethod
-    def of(cls, sequences: Examples, space: PoseSpace, keep: float, seed: int | None) -> KeyPoses:
-        """Cluster the poses of training sequences ``(z, x)``, into a share `keep` of the frames."""
-        if not 0 < keep <= 1:
-            raise InputError(f"keep is a share of the training frames up to 1, not {keep}")
-        x = np.concatenate([x for _, x in sequences])
+    def fit(cls, takes: Examples, space: PoseSpace, keep: float, seed: int | None) -> Self:
+        """Cluster the poses of training takes.
+
+        Parameters
+        ----------
+        takes : sequence of (z, x)
+            Descriptors (F, d) and poses (F, D) of each take.
+        space : PoseSpace
+        keep : float
+            Number of key poses as a share of the frames.
+        seed : int or None
+            Seed of k-means.
+        """
+        x = np.concatenate([x for _, x in takes])
         deviation = np.maximum(x.std(axis=0), 1e-3 * space.units)
         mean, scale = x.mean(axis=0), np.sqrt(deviation * space.units)
-        takes = [(x - mean) / scale for _, x in sequences]
-        following = np.concatenate([_following(take) for take in takes])
-        poses = np.concatenate(takes)
+        standardised = [(x - mean) / scale for _, x in takes]
+        following = np.concatenate([_following(take) for take in standardised])
+        poses = np.concatenate(standardised)
         count = min(max(1, int(keep * len(poses))), len(np.unique(poses, axis=0)))
         labels = KMeans(count, n_init=1, random_state=seed).fit(poses).labels_
         kept, labels = np.unique(labels, return_inverse=True)
         size = np.bincount(labels)
         frames = np.arange(len(poses))
         members = csr_array((1 / size[labels], (labels, frames)), shape=(len(kept), len(poses)))
-        roots = np.sqrt(np.concatenate([z for z, _ in sequences]))
+        roots = np.sqrt(np.concatenate([z for z, _ in takes]))
         directions = whitening(roots - (members @ roots)[labels])
         seen = roots @ directions
         centres, descriptors = members @ poses, members @ seen
@@ -150,10 +151,21 @@ class KeyPoses:
         return cls(examples, poses, following, seen, members)
 
     def transitions(self, width: float, restart: float) -> Array:
-        """Probability (K, K) that one key pose follows another, a frame later.
+        """Return the probability that one key pose follows another a frame later.
 
-        The pose kernel of Eq. 10 between where a key pose's frames went and every key pose, of
-        standard deviation `width` per column; with probability `restart` it is any.
+        It is the pose kernel of Eq. 10 between where a key pose's frames went and every key pose.
+
+        Parameters
+        ----------
+        width : float
+            Standard deviation of the kernel, per standardised column.
+        restart : float
+            Probability that any key pose follows.
+
+        Returns
+        -------
+        transitions : ndarray, shape (K, K)
+            Rows sum to 1.
         """
         poses = self.examples.poses
         near = kernel(squared_distances(self.following, poses) / poses.shape[1], width)
@@ -167,7 +179,7 @@ class KeyPoses:
 
     @cached_property
     def silhouette_alone(self) -> SilhouetteRegressor:
-        """A regressor that knows nothing of the frames before."""
+        """A regressor that ignores the frames before."""
         return SilhouetteRegressor.fit(self.examples.descriptor_distances(self.seen), self.poses)
 
 
@@ -186,6 +198,6 @@ def squared_distances(a: Array, b: Array) -> Array:
 
 
 def _following(take: Array) -> Array:
-    """Give the pose after each; after the last, what its velocity leads to."""
+    """Return the pose after each; after the last, its extrapolation at constant velocity."""
     last = 2 * take[-1:] - take[-2:-1] if len(take) > 1 else take[-1:]
     return np.vstack([take[1:], last])

@@ -1,4 +1,4 @@
-"""Locally weighted regression: what the key poses that are believed in say of the rest.
+"""Locally weighted regression of the pose on the key poses with most weight.
 
 W. S. Cleveland, S. J. Devlin, "Locally weighted regression", J. Am. Stat. Assoc. 1988.
 """
@@ -6,13 +6,11 @@ W. S. Cleveland, S. J. Devlin, "Locally weighted regression", J. Am. Stat. Assoc
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from silpose.core.types import Array
 from silpose.tracking.key_poses import KeyExamples, KeyPoseComparison, kernel
 
-Array = NDArray[np.float64]
-
-_HEARD = 64  # examples of most weight; more hardly matter, but cost
+_MOST = 64  # examples of largest weight that are regressed on; more hardly matter, but cost
 
 
 def regress_locally(
@@ -23,11 +21,11 @@ def regress_locally(
     Parameters
     ----------
     weights : ndarray, shape (K,)
-        Of the examples; they sum to 1.
+        Weights of the examples, which sum to 1.
     poses, descriptors : ndarray, shapes (K, D) and (K, d)
         Examples.
     seen : ndarray, shape (d,)
-        Where to evaluate; with NaN, for nothing, the mean pose is all that can be said.
+        Where to evaluate; with NaN, for nothing seen, the weighted mean is returned.
     damping : float
         λ of the squared slope: the larger, the nearer the pose stays to the weighted mean.
 
@@ -39,9 +37,9 @@ def regress_locally(
     if np.isnan(seen).any():
         return pose
     descriptor = weights @ descriptors
-    heard = np.argpartition(weights, -_HEARD)[-_HEARD:] if len(weights) > _HEARD else slice(None)
-    root = np.sqrt(weights[heard])[:, None]
-    inputs, outputs = root * (descriptors[heard] - descriptor), root * (poses[heard] - pose)
+    some = np.argpartition(weights, -_MOST)[-_MOST:] if len(weights) > _MOST else slice(None)
+    root = np.sqrt(weights[some])[:, None]
+    inputs, outputs = root * (descriptors[some] - descriptor), root * (poses[some] - pose)
     gram = inputs @ inputs.T  # fewer examples than inputs: the dual form
     gram.flat[:: len(gram) + 1] += damping
     change: Array = np.linalg.solve(gram, inputs @ (seen - descriptor)) @ outputs
@@ -50,21 +48,22 @@ def regress_locally(
 
 def weights_around(
     rough: Array,
-    sight: KeyPoseComparison,
+    comparison: KeyPoseComparison,
     examples: KeyExamples,
     pose_width: float,
     descriptor_width: float,
 ) -> Array:
-    """Weigh key poses by a pose that is known roughly, and by what is seen.
+    """Weight key poses by their similarity to a rough pose, and to what is seen.
 
     The kernels K_x(x̌, x_k) K_z(z, z_k) of Eq. 10, normalised: the rough pose x̌ settles which of
-    the poses that look alike is meant.
+    several poses with the same silhouette is meant.
 
     Parameters
     ----------
     rough : ndarray, shape (F, D)
-    sight : KeyPoseComparison
-        Of as many frames.
+        x̌ of each frame.
+    comparison : KeyPoseComparison
+        Descriptors of the same frames.
     examples : KeyExamples
     pose_width, descriptor_width : float
         Standard deviations of the kernels.
@@ -75,5 +74,5 @@ def weights_around(
         Each frame's sum to 1.
     """
     distances = examples.pose_distances(rough) / pose_width**2
-    weights = kernel(distances + sight.distances / descriptor_width**2, 1.0)
+    weights = kernel(distances + comparison.distances / descriptor_width**2, 1.0)
     return weights / weights.sum(axis=1, keepdims=True)

@@ -1,115 +1,139 @@
 """The multiple hypothesis tracker of section VI.
 
-Our copy of the paper breaks off before its description; this is one in its spirit, a particle
-filter (M. Isard, A. Blake, "CONDENSATION", IJCV 1998) that draws where the mixture points. A
-hypothesis is a pose with its past. Dynamics (Eq. 8) predict where it goes; each component of
-p(x|z) (Eq. 11) offers a correction, as probable as its gate and its distance from the prediction
-say. Of all pairs of hypothesis and component, and of the components alone, which begin hypotheses
-afresh, some are drawn: these are the next hypotheses. The most probable mode of them is a rough
-pose, around which the estimate is regressed on the silhouette.
+The text of the paper at hand breaks off before its description; this is one in its spirit, a
+particle filter (M. Isard, A. Blake, "CONDENSATION", IJCV 1998) that draws where the mixture
+points. A particle is a pose with its past. Dynamics (Eq. 8) predict where it goes; each component
+of p(x|z) (Eq. 11) suggests a correction, weighted by its gate and its distance from the
+prediction. Of all pairs of particle and component, and of the components alone, from which
+particles are born, some are drawn: these are the next particles. Their most probable mode is a
+rough pose, around which the estimate is regressed on the silhouette.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Self
+from typing import ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from sklearn.base import clone
-from sklearn.utils.validation import check_is_fitted
 
-from silpose.core.errors import InputError
-from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
+from silpose.core.parameters import (
+    BETWEEN_0_AND_1,
+    POSITIVE,
+    POSITIVE_INTEGER,
+    PROBABILITY,
+    Constraints,
+    check_parameters,
+)
+from silpose.core.serialisation import State, prefixed, without_prefix
+from silpose.core.types import Array, Examples
 from silpose.regression import MixtureOfRegressors
-from silpose.regression.mixture.serialisation import mixture_from, mixture_state
-from silpose.tracking.dynamics import LEARNT_DYNAMICS, SecondOrderDynamics
-from silpose.tracking.frame_rate import check_rate
-from silpose.tracking.hypotheses import Components
+from silpose.tracking.base_tracker import TrackerStream
+from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_pose_tracker import KeyPoseTracker
-from silpose.tracking.key_poses import Examples, KeyPoses
-from silpose.tracking.local_regression import weights_around
-from silpose.tracking.particle_filter import MODES, FilterModel, ParticleFilter
-from silpose.tracking.track import ManyTracks
-
-Array = NDArray[np.float64]
+from silpose.tracking.key_poses import KeyPoses
+from silpose.tracking.particle_filter import FilterModel, ParticleFilter, check_modes, filter_take
+from silpose.tracking.track import Track
 
 
-class MultipleHypothesisTracker(KeyPoseTracker):
-    """Tracks a person through descriptors, on several paths until one proves right.
+class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
+    """Tracks a person with a particle filter that a mixture of regressors corrects.
 
     Parameters
     ----------
-    mixture : MixtureOfRegressors, optional
-    dynamics : SecondOrderDynamics, optional
-    space : str
+    mixture, dynamics : MixtureOfRegressors and SecondOrderDynamics, optional
+        Clones are fitted; None stands for the default ones.
+    space : {"angles", "authors_joints"}, default="angles"
         Name of the pose space.
-    count : int
-        Draws, and so hypotheses at most.
-    drift : float
+    n_particles : int, default=200
+        Number of draws, and so of particles at most.
+    process_noise : float, default=0.3
         Variance of a prediction beyond that of the dynamics, in typical variances of the
-        mixture's answers: what one predicts from is an estimate itself.
-    trust : float
+        mixture's components: predictions start from estimates.
+    likelihood_exponent : float, default=0.05
         Exponent of likelihoods.
-    past : float
-        Share of a correction that the pose before takes too, so that velocity changes less.
-    fresh : float
-        Probability, before anything is seen, that a hypothesis begins afresh.
-    surprise : float
-        Log of how many times likelier than by any hypothesis what is seen has to be by none of
-        them, for the track to count as lost. Then `fresh` is one half.
-    keep, pose_width, descriptor_width, damping, heading_alone, body_alone : float
-        Of the regression around the most probable mode, as `BeliefTracker` explains them.
-    frames_per_second : float
-        Of the training sequences, and of what is tracked.
-    random_state : int or None
+    velocity_gain : float, default=0.7
+        Share of a correction that the pose before takes, too, so that velocity changes less.
+    birth_probability : float, default=0.001
+        Prior probability that a particle is born.
+    surprise : float, default=1.0
+        Log ratio of the likelihoods, without and with the particles, beyond which the track counts
+        as lost; then the birth probability is one half.
+    keep : float, default=0.18
+        Number of key poses as a share of the training frames.
+    pose_width : float, default=0.5
+        Standard deviation of the pose kernel around the rough pose, per standardised column.
+    descriptor_width : float, default=1.0
+        Standard deviation of the descriptor kernel, relative to how far a training frame lies
+        from its key pose.
+    damping : float, default=4.0
+        λ of the regression on key poses, in units of a whitened descriptor's variance.
+    heading_alone, body_alone : float or None, default=None
+        Shares of the heading and of the rest of a pose that are regressed on the silhouette
+        alone; None counts as 0, but is chosen by `choose_hypothesis_tracker`.
+    frames_per_second : float, default=15.0
+        Frame rate of the training takes, and of what is tracked.
+    random_state : int or None, default=0
+        Seed of k-means, and of the draws in each take or stream.
 
     Attributes
     ----------
-    mixture_, dynamics_
-        Fitted.
+    mixture_, dynamics_ : estimator
     examples_ : KeyExamples
         Key poses and their descriptors.
     silhouette_alone_ : SilhouetteRegressor
     mean_, variance_ : ndarray, shape (D,)
-        Of training poses.
+        Moments of training poses.
     typical_ : ndarray, shape (D,)
-        Variance of the mixture's answers.
+        Typical variance of the mixture's components.
     noise_ : ndarray, shape (D,)
         Variance of a prediction, the diagonal of Q.
+
+    See Also
+    --------
+    BeliefTracker : a belief over key poses instead of particles.
     """
 
-    _learnt = ("mean_", "variance_", "typical_", "noise_")
-    _positive = ("count", "drift", "trust", *KeyPoseTracker._positive)
+    constraints: ClassVar[Constraints] = {
+        "n_particles": POSITIVE_INTEGER,
+        "process_noise": POSITIVE,
+        "likelihood_exponent": POSITIVE,
+        "velocity_gain": PROBABILITY,
+        "birth_probability": BETWEEN_0_AND_1,
+        **KeyPoseTracker.constraints,
+    }
+    _fitted = ("mean_", "variance_", "typical_", "noise_")
 
     def __init__(
         self,
         mixture: MixtureOfRegressors | None = None,
         dynamics: SecondOrderDynamics | None = None,
+        *,
         space: str = "angles",
-        count: int = 200,
-        drift: float = 0.3,
-        trust: float = 0.05,
-        past: float = 0.7,
-        fresh: float = 0.001,
+        n_particles: int = 200,
+        process_noise: float = 0.3,
+        likelihood_exponent: float = 0.05,
+        velocity_gain: float = 0.7,
+        birth_probability: float = 0.001,
         surprise: float = 1.0,
         keep: float = 0.18,
         pose_width: float = 0.5,
         descriptor_width: float = 1.0,
         damping: float = 4.0,
-        heading_alone: float = 0.0,
-        body_alone: float = 0.1,
+        heading_alone: float | None = None,
+        body_alone: float | None = None,
         frames_per_second: float = 15.0,
         random_state: int | None = 0,
     ) -> None:
         self.mixture = mixture
         self.dynamics = dynamics
         self.space = space
-        self.count = count
-        self.drift = drift
-        self.trust = trust
-        self.past = past
-        self.fresh = fresh
+        self.n_particles = n_particles
+        self.process_noise = process_noise
+        self.likelihood_exponent = likelihood_exponent
+        self.velocity_gain = velocity_gain
+        self.birth_probability = birth_probability
         self.surprise = surprise
         self.keep = keep
         self.pose_width = pose_width
@@ -120,19 +144,14 @@ class MultipleHypothesisTracker(KeyPoseTracker):
         self.frames_per_second = frames_per_second
         self.random_state = random_state
 
-    def fit(self, sequences: Examples, y: object = None) -> Self:
-        """Learn the mixture and the dynamics.
-
-        Parameters
-        ----------
-        sequences : sequence of (z, x)
-            Descriptors (F, d) and poses (F, D) of each training take.
-        """
-        z, x = (np.concatenate(own) for own in zip(*sequences, strict=True))
-        takes = [own for _, own in sequences]
+    def fit(self, takes: Examples, y: object = None) -> Self:
+        """Fit the mixture, the dynamics and the key poses; `takes` as of `Tracker.fit`."""
+        check_parameters(self)
+        z, x = (np.concatenate(own) for own in zip(*takes, strict=True))
+        poses = [own for _, own in takes]
         mixture = clone(self.mixture or MixtureOfRegressors()).fit(z, x)
-        dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(takes)
-        return self.use_fitted(mixture, dynamics, self.key_poses(sequences), takes)
+        dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(poses)
+        return self.use_fitted(mixture, dynamics, self.key_poses(takes), poses)
 
     def use_fitted(
         self,
@@ -141,131 +160,91 @@ class MultipleHypothesisTracker(KeyPoseTracker):
         keys: KeyPoses,
         poses: Sequence[Array],
     ) -> Self:
-        """Use what was fitted already, to takes of these poses, each (F, D)."""
-        if not 0 <= self.past < 1:
-            raise InputError(f"past is a share below 1, not {self.past}")
-        if not 0 < self.fresh < 1:
-            raise InputError(f"fresh is a probability between 0 and 1, not {self.fresh}")
-        self._compare_with(keys)
+        """Use parts that have been fitted already, to takes of these poses, each (F, D)."""
+        check_parameters(self)
+        self._use_key_poses(keys)
         self.mixture_, self.dynamics_ = mixture, dynamics
         every = np.concatenate(poses)
         self.mean_, self.variance_ = every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9)
         off = [x[2:] - dynamics.predict(x[1:-1], x[:-2]) for x in poses if len(x) > 2]
         self.typical_ = mixture.variances()[:-1].mean(axis=0)
-        self.noise_ = np.concatenate(off).var(axis=0) + self.drift * self.typical_
-        return self.start()
+        self.noise_ = np.concatenate(off).var(axis=0) + self.process_noise * self.typical_
+        return self
 
     def track(
         self,
         z: ArrayLike,
         initial: ArrayLike | None = None,
         lag: int = 0,
-        modes: int = 4,
         frames_per_second: float | None = None,
-    ) -> ManyTracks:
-        """Track a sequence.
+        *,
+        modes: int = 4,
+    ) -> Track:
+        """Track a take, as `Tracker.track` describes.
 
         Parameters
         ----------
-        z : array-like, shape (F, d)
-            Descriptors; a row of NaN where there was nothing to see.
-        initial : array-like, shape (P, D), optional
-            Poses of the first frames, known beforehand; without, the mixture tells.
-        lag : int
-            How many later frames each estimate may wait for.
-        modes : int
-            How many to give for each frame.
-        frames_per_second : float, optional
-            Of the sequence, if known: refused if it is not the training sequences'.
+        z, initial, lag, frames_per_second
+            As of `Tracker.track`; without `initial`, the mixture suggests the first poses.
+        modes : int, default=4
+            Number of modes that the track has for each frame, from 1 to 8.
 
         Returns
         -------
-        tracks : ManyTracks
+        track : Track
+            With weights and means of the modes; `x` is regressed around the most probable one.
         """
-        check_rate(self.frames_per_second, frames_per_second)
-        z = np.asarray(z, dtype=float)
-        if z.ndim != 2 or len(z) == 0:
-            raise InputError(f"descriptors have shape {z.shape}: expected (frames, columns)")
-        if not 1 <= modes <= MODES:
-            raise InputError(f"1 to {MODES} modes can be asked for, not {modes}")
+        z, known = self._checked(z, initial, frames_per_second)
+        check_modes(modes)
         lag = min(lag, len(z) - 1)
-        given = np.atleast_2d(np.asarray(initial, dtype=float)) if initial is not None else z[:0]
-        now, later, states, several = [], [], [], []
-        self.start(lag=lag)
-        for frame, row in enumerate(z):
-            if frame < len(given):
-                self._run.initialise(given[: frame + 1])
-            else:
-                self._advance(row)
-            now.append(self._run.estimate())
-            later.append(self._run.estimate(lag) if lag else now[-1])
-            states.append(self._run.state)
-            several.append([values[:modes] for values in self._run.modes])
-        later += [self._run.estimate(back) for back in reversed(range(lag))]
-        revised = np.array(later[lag:])
-        weights, means = map(np.array, zip(*several, strict=True))
-        x = np.where(np.isnan(revised), now, revised)
-        x[len(given) :] = self._refined(x[len(given) :], z[len(given) :])
-        return ManyTracks(x, states, weights, means)
+        run = self._filter(length=max(lag + 1, 2))
+        x, states, weights, means = filter_take(run, z, known, lag)
+        free = slice(len(known), None)
+        x[free] = self.regress_around(x[free], z[free])
+        return Track(x, states, weights=weights[:, :modes], means=means[:, :modes])
 
-    def start(self, initial: ArrayLike | None = None, lag: int = 0) -> Self:
-        """Forget what `step` has seen.
+    def track_separately(self, z: Array) -> tuple[Array, Array]:
+        """Track a take, and keep both parts of the estimates, of which they are a sum."""
+        rough = filter_take(self._filter(length=2), z, z[:0], 0)[0]
+        return self.regress_around_separately(rough, z)
 
-        Parameters
-        ----------
-        initial : array-like, shape (P, D), optional
-            Poses of the frames before the next.
-        lag : int
-            How many frames back `estimate` will be asked for.
-        """
-        check_is_fitted(self)
-        expected = FilterModel(
-            self.dynamics_, self.mean_, self.variance_, self.noise_, self.typical_, self.count,
-            self.trust, self.past, self.fresh, self.surprise,
-        )  # fmt: skip
-        self._run = ParticleFilter(expected, max(lag + 1, 2), self.random_state)
-        if initial is not None:
-            self._run.initialise(np.atleast_2d(np.asarray(initial, dtype=float)))
-        return self
+    def start(self, initial: ArrayLike | None = None) -> TrackerStream[ParticleFilter]:
+        """Start a stream of frames; `initial` as of `Tracker.start`."""
+        known = self._known(initial)
+        run = self._filter(length=2)
+        if len(known):
+            run.initialise(known)
+        return TrackerStream(self, run)
 
-    def step(self, z: ArrayLike) -> tuple[Array, str]:
-        """Track one frame more: its pose (D,) and state, from its descriptor (d,)."""
-        check_is_fitted(self)
-        z = np.asarray(z, dtype=float)
-        self._advance(z)
-        return self._refined(self._run.estimate()[None], z[None])[0], self._run.state
+    def advance(self, run: ParticleFilter, z: Array) -> tuple[Array, str]:
+        """Let a filter take one frame more, with descriptor (d,); return pose (D,) and state."""
+        run.step(z)
+        return self.regress_around(run.estimate()[None], z[None])[0], run.state
 
-    def _advance(self, z: Array) -> None:
-        self._run.step(Components(*self.mixture_.answers(z)) if np.isfinite(z).all() else None)
-
-    def _refined(self, rough: Array, z: Array) -> Array:
-        """Regress around rough poses (F, D) where there was something to see."""
-        x, seen = rough.copy(), np.isfinite(z).all(axis=1)
-        if seen.any():
-            sight, widths = self.examples_.see(z[seen]), (self.pose_width, self.descriptor_width)
-            x[seen] = self._regressed(
-                weights_around(rough[seen], sight, self.examples_, *widths), sight
-            )
-        return x
-
-    def modes(self, k: int) -> tuple[Array, Array]:
-        """Give up to 8 modes of the hypotheses after a step: weights (k,) and poses (k, D).
-
-        The most probable comes first; the weight is 0 where there are less than k.
-        """
-        weights, means = self._run.modes
+    def modes(self, run: ParticleFilter, k: int) -> tuple[Array, Array]:
+        """Return up to 8 modes of a filter's particles: weights (k,) and poses (k, D)."""
+        check_modes(k)
+        weights, means = run.modes
         return weights[:k], means[:k]
 
+    def _filter(self, length: int) -> ParticleFilter:
+        """Return a filter that keeps paths of some frames."""
+        model = FilterModel(
+            self.mixture_, self.dynamics_, self.mean_, self.variance_, self.noise_, self.typical_,
+            self.n_particles, self.likelihood_exponent, self.velocity_gain,
+            self.birth_probability, self.surprise,
+        )  # fmt: skip
+        return ParticleFilter(model, length, self.random_state)
+
     def to_arrays(self) -> State:
-        """Give parameters and what was learnt, as arrays, numbers and words."""
-        own = super().to_arrays() | prefixed("mixture", mixture_state(self.mixture_))
-        return own | prefixed("dynamics", arrays_of(self.dynamics_, LEARNT_DYNAMICS))
+        """Return parameters and fitted attributes as arrays, numbers and strings."""
+        own = super().to_arrays() | prefixed("mixture", self.mixture_.to_arrays())
+        return own | prefixed("dynamics", self.dynamics_.to_arrays())
 
     @classmethod
     def from_arrays(cls, state: State) -> Self:
-        """Restore what `state` gave."""
+        """Restore a tracker from the result of `to_arrays`."""
         tracker = super().from_arrays(state)
-        tracker.mixture_ = mixture_from(without_prefix("mixture", state))
-        dynamics = without_prefix("dynamics", state)
-        tracker.dynamics_ = estimator_from(SecondOrderDynamics, dynamics, LEARNT_DYNAMICS)
-        return tracker.start()
+        tracker.mixture_ = MixtureOfRegressors.from_arrays(without_prefix("mixture", state))
+        tracker.dynamics_ = SecondOrderDynamics.from_arrays(without_prefix("dynamics", state))
+        return tracker

@@ -1,28 +1,47 @@
-"""What else makes single-image answers smooth: the rivals of a tracker."""
+"""Baselines of tracking: what else makes single-image estimates smooth over time."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import savgol_filter
 from sklearn.neighbors import NearestNeighbors
 
+from silpose.core.types import Array
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import squared_distances
 
-Array = NDArray[np.float64]
-
 
 def smooth(x: Array, window: int) -> Array:
-    """Savitzky-Golay filter of degree 2 over ``x (F, D)``, `window` frames long, odd."""
+    """Apply a Savitzky-Golay filter of degree 2.
+
+    Parameters
+    ----------
+    x : ndarray, shape (F, D)
+    window : int
+        Length in frames, an odd number.
+
+    Returns
+    -------
+    x : ndarray, shape (F, D)
+    """
     window = min(window, len(x) - 1 + len(x) % 2)
     return savgol_filter(x, window, 2, axis=0) if window > 2 else x
 
 
 def windowed(z: Array, window: int) -> Array:
-    """Descriptors of a frame and those around it side by side, shape (F, window d).
+    """Put descriptors of a frame and of those around it side by side.
 
     Regression on these is the paper's footnote 4.
+
+    Parameters
+    ----------
+    z : ndarray, shape (F, d)
+    window : int
+        Number of frames.
+
+    Returns
+    -------
+    z : ndarray, shape (F, window d)
     """
     half = window // 2
     frames = np.arange(len(z))[:, None] + np.arange(-half, window - half)
@@ -30,9 +49,22 @@ def windowed(z: Array, window: int) -> Array:
 
 
 def fuse(x: Array, dynamics: SecondOrderDynamics, weight: float) -> Array:
-    """Blend single-image estimates ``x (F, D)`` with predictions from the blended past.
+    """Blend single-image estimates with predictions from the blended past.
 
     x̂ = weight · x̌ + (1 - weight) · x: the linear combination that the paper argues against.
+
+    Parameters
+    ----------
+    x : ndarray, shape (F, D)
+        Single-image estimates.
+    dynamics : SecondOrderDynamics
+        Fitted.
+    weight : float
+        Weight of predictions, from 0 to 1.
+
+    Returns
+    -------
+    x : ndarray, shape (F, D)
     """
     fused = list(x[:2])
     for observed in x[2:]:
@@ -42,17 +74,20 @@ def fuse(x: Array, dynamics: SecondOrderDynamics, weight: float) -> Array:
 
 
 def viterbi(z_train: Array, x_train: Array, z: Array, neighbours: int, weight: float) -> Array:
-    """Most likely path through the nearest training examples of each frame.
+    """Find the most likely path through the nearest training examples of each frame.
 
     Parameters
     ----------
     z_train, x_train : ndarray, shapes (n, d) and (n, D)
+        Training examples.
     z : ndarray, shape (F, d)
+        Descriptors of the take.
     neighbours : int
-        Training examples, nearest under the Hellinger distance, that may explain a frame.
+        Number of training examples, nearest under the Hellinger distance, that may explain a
+        frame.
     weight : float
-        Of the squared change of pose (in standard deviations, mean over columns), against the
-        squared distance of descriptors over its typical value.
+        Weight of the squared change of pose (in standard deviations, mean over columns), relative
+        to the squared distance of descriptors over its typical value.
 
     Returns
     -------

@@ -2,27 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import ceil
+from typing import ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from sklearn.base import BaseEstimator
 from sklearn.neighbors import NearestNeighbors
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.core.errors import InputError
+from silpose.core.parameters import (
+    FROM_0_TO_1,
+    POSITIVE,
+    POSITIVE_INTEGER,
+    SHARE,
+    Constraints,
+    check_parameters,
+)
+from silpose.core.serialisation import State, arrays_of, estimator_from
+from silpose.core.types import Array, Examples, Indices
 from silpose.regression.normal_equations import NormalEquations
-from silpose.regression.sparse.elimination import sparsest_within
-from silpose.regression.sparse.quadratic_bridges import Bridges
+from silpose.regression.sparse import Bridges, sparsest_within
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import squared_distances
 
-Array = NDArray[np.float64]
-Examples = Sequence[tuple[Array, Array]]
-
 _NEIGHBOURS = 10  # training poses whose scatter around a state is its local scatter
 _FIRST_NU = 16.0  # of the path to a wanted sparsity
+_FITTED = (
+    "mean_", "scale_", "centres_x_", "centres_z_", "beta_x_", "beta_z_", "coef_", "intercept_",
+    "kept_",
+)  # fmt: skip
 
 
 class StateSensitiveRegressor(BaseEstimator):
@@ -30,35 +39,55 @@ class StateSensitiveRegressor(BaseEstimator):
 
     Parameters
     ----------
-    pose_width, descriptor_width : float
-        Factors of β_x and β_z, each in units of 1 / (2 tr S), S the scatter matrix of the
-        (standardised) poses or of the square roots of descriptors: the larger, the narrower.
-    linear : float or None
-        C = sI with this s; None for the full matrix C.
-    damping : float
+    pose_width : float, default=1.0
+        Factor of β_x, in units of 1 / (2 tr S), S being the scatter matrix of the standardised
+        poses: the larger, the narrower the kernels.
+    descriptor_width : float, default=2.0
+        Factor of β_z, likewise for the square roots of descriptors.
+    linear : float or None, default=None
+        s of C = sI; None for the full matrix C.
+    damping : float, default=0.1
         λ of the ridge regression.
-    centres : int
-        At most so many training examples, drawn by seed, carry a kernel.
-    keep_at_most : float or None
-        Share of the kernels that an RVM is to keep; None is ridge regression on all.
-    random_state : int or None
+    centres : int, default=2000
+        Largest number of training examples, drawn by seed, that carry a kernel.
+    keep_at_most : float or None, default=0.18
+        Share of the kernels that an RVM keeps; None is ridge regression on all.
+    random_state : int or None, default=0
+        Seed of the draw of centres.
 
     Attributes
     ----------
     centres_x_, centres_z_ : ndarray, shapes (k, D) and (k, d)
         Of the kernels kept: standardised poses, square roots of descriptors.
+    beta_x_, beta_z_ : float
+        β_x and β_z.
+    coef_ : ndarray, shape (k, D) or (k + D, D)
+        d_k above C, if that is a full matrix.
+    intercept_ : ndarray, shape (D,)
+    mean_, scale_ : ndarray, shape (D,)
+        By which poses are standardised.
     kept_ : float
-        Their share.
+        Share of the kernels that are kept.
     """
+
+    constraints: ClassVar[Constraints] = {
+        "pose_width": POSITIVE,
+        "descriptor_width": POSITIVE,
+        "linear": FROM_0_TO_1.or_none(),
+        "damping": POSITIVE,
+        "centres": POSITIVE_INTEGER,
+        "keep_at_most": SHARE.or_none(),
+    }
 
     def __init__(
         self,
+        *,
         pose_width: float = 1.0,
         descriptor_width: float = 2.0,
         linear: float | None = None,
         damping: float = 0.1,
         centres: int = 2000,
-        keep_at_most: float | None = None,
+        keep_at_most: float | None = 0.18,
         random_state: int | None = 0,
     ) -> None:
         self.pose_width = pose_width
@@ -69,19 +98,19 @@ class StateSensitiveRegressor(BaseEstimator):
         self.keep_at_most = keep_at_most
         self.random_state = random_state
 
-    def fit(self, predicted: ArrayLike, z: ArrayLike, x: ArrayLike) -> StateSensitiveRegressor:
-        """Fit C and d_k to predictions, silhouettes and true poses.
+    def fit(self, predicted: ArrayLike, z: ArrayLike, x: ArrayLike) -> Self:
+        """Fit C and d_k.
 
         Parameters
         ----------
         predicted : array-like, shape (n, D)
-            x̌: see `observed_and_sampled`.
+            Predictions x̌: see `observed_and_sampled`.
         z : array-like, shape (n, d)
+            Descriptors.
         x : array-like, shape (n, D)
+            True poses.
         """
-        for name in ("pose_width", "descriptor_width", "damping", "centres"):
-            if not getattr(self, name) > 0:
-                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
+        check_parameters(self)
         poses = np.asarray(x, dtype=float)
         deviation = poses.std(axis=0)
         self.mean_ = poses.mean(axis=0)
@@ -106,7 +135,8 @@ class StateSensitiveRegressor(BaseEstimator):
         self.kept_ = len(kept) / len(chosen)
         return self
 
-    def _choose(self, system: NormalEquations) -> NDArray[np.intp]:
+    def _choose(self, system: NormalEquations) -> Indices:
+        """Return which kernels are kept."""
         size = len(system.gram)
         if self.keep_at_most is None:
             return np.arange(size)
@@ -119,7 +149,7 @@ class StateSensitiveRegressor(BaseEstimator):
         return self.explain(predicted, z)[0]
 
     def explain(self, predicted: ArrayLike, z: ArrayLike) -> tuple[Array, Array]:
-        """Estimate as `predict` does; give the kernels' values (n, k) too: K_x K_z of Eq. 10."""
+        """Estimate as `predict` does; return the kernels K_x K_z of Eq. 10, shape (n, k), too."""
         check_is_fitted(self)
         state = self._standard(predicted)
         kernels = self._kernels(state, np.sqrt(np.asarray(z, dtype=float)))
@@ -128,6 +158,16 @@ class StateSensitiveRegressor(BaseEstimator):
         else:
             estimated = self.linear * state + kernels @ self.coef_ + self.intercept_
         return estimated * self.scale_ + self.mean_, kernels
+
+    def to_arrays(self) -> State:
+        """Return parameters and fitted attributes as arrays and numbers."""
+        check_is_fitted(self)
+        return arrays_of(self, _FITTED)
+
+    @classmethod
+    def from_arrays(cls, state: State) -> Self:
+        """Restore a regressor from the result of `to_arrays`."""
+        return estimator_from(cls, state, _FITTED)
 
     def _standard(self, x: ArrayLike) -> Array:
         return (np.asarray(x, dtype=float) - self.mean_) / self.scale_
@@ -142,7 +182,7 @@ class StateSensitiveRegressor(BaseEstimator):
 
 
 def observed_and_sampled(
-    sequences: Examples,
+    takes: Examples,
     dynamics: SecondOrderDynamics,
     samples: int = 3,
     local: float = 1.0,
@@ -152,36 +192,41 @@ def observed_and_sampled(
 ) -> tuple[Array, Array, Array]:
     """Make the training examples of section V-B.
 
-    Observed predictions alone are so good that a regressor would learn to believe them. So
-    states are also sampled around the true ones, under the same silhouette.
+    Observed predictions alone are so good that a regressor would over-trust them. So states are
+    also sampled around the true ones, under the same silhouette.
 
     Parameters
     ----------
-    sequences : sequence of (z, x)
+    takes : sequence of (z, x)
+        Descriptors (F, d) and poses (F, D) of each take.
     dynamics : SecondOrderDynamics
-    samples : int
-        Artificial examples for each observed one.
-    local : float
+        Fitted.
+    samples : int, default=3
+        Number of artificial examples for each observed one.
+    local : float, default=1.0
         Standard deviation of the samples, relative to the scatter of the nearest training poses.
-    along : float
+    along : float, default=2.0
         Further standard deviation along the trajectory, in frames.
-    seed : int or None
-    most : int
-        Examples that are given, about; of more, an even share: they hardly change what is learnt.
+    seed : int or None, default=0
+        Seed of the samples.
+    most : int, default=20_000
+        Number of examples, about; of more, an even share is returned.
 
     Returns
     -------
     predicted : ndarray, shape (n, D)
+        Predictions x̌.
     z : ndarray, shape (n, d)
     x : ndarray, shape (n, D)
+        True poses.
     """
     random = np.random.default_rng(seed)
-    every = np.concatenate([x for _, x in sequences])
+    every = np.concatenate([x for _, x in takes])
     scale = dynamics.scale_
     count = min(_NEIGHBOURS + 1, len(every))
     near = NearestNeighbors(n_neighbors=count).fit(every / scale)
     examples = []
-    for z, x in sequences:
+    for z, x in takes:
         examples.append((dynamics.predict(x[1:-1], x[:-2]), z[2:], x[2:]))
         around = every[near.kneighbors(x / scale, return_distance=False)[:, 1:]] - x[:, None]
         velocity = np.gradient(x, axis=0) if len(x) > 1 else np.zeros_like(x)

@@ -1,49 +1,59 @@
-"""What trackers return."""
+"""What trackers return, and the states that a track goes through."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
+from silpose.core.types import Array
 
-Array = NDArray[np.float64]
+STATES = ("starting", "tracking", "lost", "recovered")
+
+SETTLED = 0.7  # heading norm from which a start, or a new one, counts as made
+UNCERTAIN = 0.3  # heading norm below which a track counts as lost
 
 
 @dataclass(frozen=True)
 class Track:
-    """A sequence's estimates.
+    """Estimates of a take.
 
     Attributes
     ----------
     x : ndarray, shape (F, D)
+        Poses.
     state : list of str
-        One of `belief.STATES` for each frame.
-    beliefs : ndarray, shape (F, K)
-        Over key poses: the activations of the state-sensitive basis, summing to 1.
+        One of `STATES` for each frame.
+    beliefs : ndarray, shape (F, K), or None
+        Activations of the kernels of a state-sensitive basis: of key poses, where they sum to 1,
+        or of training examples, where they need not.
+    weights : ndarray, shape (F, k), or None
+        Probabilities of the modes, the most probable first; 0 where there are fewer than k.
+    means : ndarray, shape (F, k, D), or None
+        Poses of the modes.
     """
 
     x: Array
     state: list[str]
-    beliefs: Array
+    beliefs: Array | None = None
+    weights: Array | None = None
+    means: Array | None = None
 
 
-@dataclass(frozen=True)
-class ManyTracks:
-    """A sequence's estimates, several for each frame.
+def next_state(state: str, lost: bool, heading_norm: float) -> str:
+    """Return the state of a track one frame later.
 
-    Attributes
+    Parameters
     ----------
-    x : ndarray, shape (F, D)
-        Regressed around the most probable mode.
-    state : list of str
-        One of `belief.STATES` for each frame.
-    weights : ndarray, shape (F, k)
-        Of the hypotheses' modes, the most probable first; 0 where there are less.
-    means : ndarray, shape (F, k, D)
+    state : str
+        One of `STATES`.
+    lost : bool
+        Whether nothing was seen, or nothing that was expected.
+    heading_norm : float
+        Norm of the estimated (cos, sin) of the heading: lower for uncertain estimates.
     """
-
-    x: Array
-    state: list[str]
-    weights: Array
-    means: Array
+    if state == "starting":
+        return "tracking" if heading_norm > SETTLED and not lost else "starting"
+    if lost or heading_norm < UNCERTAIN:
+        return "lost"
+    if state == "lost":
+        return "recovered" if heading_norm > SETTLED else "lost"
+    return "tracking"

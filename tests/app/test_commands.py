@@ -1,3 +1,4 @@
+import shutil
 import sys
 
 import pytest
@@ -5,15 +6,68 @@ import pytest
 from silpose.app.main import main
 
 
-def test_finished_runs_have_commands_of_their_own(finished, tmp_path, monkeypatch, capsys):
+@pytest.fixture
+def command(tmp_path, monkeypatch, capsys):
+    """Run the command in an empty folder; give exit status and output."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "argv", ["silpose", "compare", str(finished.folder), "nowhere"])
-    with pytest.raises(SystemExit, match="silpose: 'nowhere' holds no finished run"):
-        main()
-    monkeypatch.setattr(sys, "argv", ["silpose", "picture", "nowhere.rrd"])
-    with pytest.raises(SystemExit, match=r"silpose: there is no recording 'nowhere\.rrd'"):
-        main()
-    monkeypatch.setattr(sys, "argv", ["silpose", "film", "--help"])
-    with pytest.raises(SystemExit):
-        main()
-    assert "--every" in capsys.readouterr().out
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["silpose", *map(str, arguments)])
+        status = 0
+        try:
+            main()
+        except SystemExit as stop:
+            status = stop.code
+        return status, capsys.readouterr().out
+
+    return run
+
+
+def test_runs_are_compared(command, finished, tmp_path):
+    other = shutil.copytree(finished.folder, tmp_path / "a=b, c")
+    status, out = command("compare", finished.folder, other, "-o", "a b=[c].rrd")
+    assert status == 0
+    assert "a b=[c].rrd" in out
+    assert (tmp_path / "a b=[c].rrd").is_file()
+    status, _ = command("compare", finished.folder, "nowhere")
+    assert status.startswith("silpose: 'nowhere' holds no finished run")
+
+
+def test_a_recording_that_is_missing_is_named(command):
+    for verb in ("picture", "film", "open", "repair"):
+        status, _ = command(verb, "nowhere.rrd")
+        assert status.startswith("silpose: there is no recording 'nowhere.rrd'"), verb
+
+
+def test_options_of_a_verb_are_described(command):
+    status, out = command("film", "--help")
+    assert status == 0
+    assert "--every" in out
+
+
+def test_runs_are_listed(command, finished, tmp_path):
+    folder = tmp_path / "recordings" / "single_image" / "002"
+    shutil.copytree(finished.folder, folder)
+    _, out = command("list")
+    (line,) = [line.split() for line in out.splitlines() if line.startswith("single_image")]
+    assert line[1:3] == ["recordings/single_image/002", finished.dataset]
+    assert command("list", "recordings/single_image")[1] == out
+    (tmp_path / "empty").mkdir()
+    assert "no finished runs below 'empty'" in command("list", "empty")[1]
+    assert command("list", "nowhere")[0].startswith("silpose: there is no folder 'nowhere'")
+
+
+def test_without_a_screen_open_says_how(command, finished, monkeypatch):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(sys, "platform", "linux")
+    status, out = command("open", finished.folder)
+    assert status == 0
+    assert "no screen here" in out
+    assert str(finished.recording) in out
+
+
+def test_settings_are_told_with_overrides(command):
+    status, out = command("settings", "motion", "motion.seconds=3")
+    assert status == 0
+    assert ["seconds", "3", "a", "number"] in [line.split()[:4] for line in out.splitlines()]

@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
+from silpose.app.config import plain
 from silpose.app.main import main
 from silpose.recording.viewer.process import program
 
@@ -55,6 +56,41 @@ def test_a_sweep_gives_every_job_its_folder_and_recording(run, fast, tmp_path):
     assert len(set(ids)) == len(ids) == 2
 
 
+def test_a_sweep_returns_the_headline_of_every_job(run, monkeypatch):
+    from hydra_callbacks import RETURNED
+
+    class Finished:
+        headline = 1.5
+
+    RETURNED.clear()
+    monkeypatch.setattr("silpose.app.run.run_experiment", lambda settings: Finished())
+    monkeypatch.setattr("silpose.app.summary.summarise", lambda run: None)
+    callback = "+hydra.callbacks.returned._target_=hydra_callbacks.Returned"
+    status, out, _ = run("-m", "seed=1,2", callback)
+    assert status == 0
+    assert RETURNED == [1.5, 1.5]
+    assert out.splitlines() == ["seed=1", "seed=2"]
+
+
+@pytest.mark.parametrize("path", ["-a, [b]='c' ${seed}", "x=1,2", "a\\", "--help me"])
+def test_a_path_is_untouched_in_every_job_of_a_sweep(run, tmp_path, monkeypatch, path):
+    class Finished:
+        headline = None
+
+    sources = []
+
+    def remember(settings):
+        sources.append(plain(settings)["silhouette"]["source"])
+        return Finished()
+
+    (tmp_path / path).mkdir()
+    monkeypatch.setattr("silpose.app.run.run_experiment", remember)
+    monkeypatch.setattr("silpose.app.summary.summarise", lambda run: None)
+    status, _, _ = run("predict", path, "-m", "lag=0.1,0.2")
+    assert status == 0
+    assert sources == [path, path]
+
+
 def test_the_same_seed_gives_the_same_recording(run, fast, finished, tmp_path):
     status, _, _ = run(*fast, "recording.root=elsewhere", "recording.name=small")
     assert status == 0
@@ -64,8 +100,9 @@ def test_the_same_seed_gives_the_same_recording(run, fast, finished, tmp_path):
 
 
 def test_ones_own_masks_by_a_saved_model(run, finished, mask_folder, tmp_path):
-    masks = ["experiment=predict", "silhouette=masks", f"silhouette.source={mask_folder}"]
-    status, _, _ = run(*masks, f"model={finished.folder}", "silhouette.blank=nan")
+    odd = mask_folder.rename(mask_folder.with_name("-my, [masks]=1 '$"))
+    status, _, _ = run("predict", str(odd), f"model={finished.folder}", "silhouette.blank=nan")
+    odd.rename(mask_folder)
     assert status == 0
     with (tmp_path / "recordings/predict/001/poses.csv").open() as file:
         rows = list(csv.DictReader(file))
@@ -79,9 +116,9 @@ WRONG = {
     "motion=bvh motion.root=nowhere": "nowhere",
     "motion=bvh motion.root=empty": "empty: no .bvh files",
     "motion=bvh motion.root=text": "text/a.bvh",
-    "dataset=cross_performer": "fitted to all performers and is a stranger to none",
+    "dataset=cross_performer": "fitted to all performers",
     "dataset=cross_camera silhouette.scenes.elevation=[0,30]": "meets the training's [0, 30]",
-    "silhouette.scenes.frames=0": "silhouette.scenes.frames must be 1 or more",
+    "silhouette.scenes.frames=0": "silhouette.scenes.frames must be at least 1, not 0",
     "silhouette/scenes=widest": "there is no silhouette/scenes=widest",
     "experiment=training_data": "fitted to all performers",
     "motion=amass motion.root=empty": "empty: no .npz files",
@@ -89,26 +126,32 @@ WRONG = {
     "motion=walkr": "there is no motion=walkr; did you mean 'walker'?",
     "motion.secnds=3": "no setting 'motion.secnds'; did you mean 'motion.seconds'?",
     "+motion.second=3": "no setting 'motion.second'; did you mean 'motion.seconds'?",
-    "seed=x": "'seed' is to be a whole number, not 'x'",
-    "nonsense": "cannot read 'nonsense'",
-    "descriptor.edge_points=many": "'descriptor.edge_points' is to be a whole number",
+    "seed=x": "'seed' must be an integer, not 'x'",
+    "nonsense": "there is no command 'nonsense'; there are compare, film",
+    "predct masks": "there is no command 'predct'; did you mean 'predict'?",
+    "seed=1 nonsense": "cannot read 'nonsense'",
+    "n_jobs=0": "n_jobs must be an integer other than 0",
+    "motion=bvh motion.root=x motion.rot=y": "did you mean 'motion.root'?",
+    "descriptor.edge_points=many": "'descriptor.edge_points' must be an integer",
     "descriptor.kind=hog": "no 'descriptor.kind=hog'",
-    "regression.rvm.nu=-1": "regression.rvm.nu is to be positive numbers",
+    "regression.rvm.nu=-1": "regression.rvm.nu must be positive, not -1",
     "methods=[ridge,foo]": "no method 'foo'",
     "show=knn": "show=knn is none of the methods",
     "dataset.test=[zzz]": "no take matches 'zzz' in dataset.test",
     "silhouette.camera.distance=-1": "distance must be positive",
     "silhouette.body.shape=[1,2]": "10 coefficients, not 2",
     "silhouette.degradation.test=[hole]": "no degradation 'hole'",
-    "silhouette.degradation.strength=2": "strength is 0 to 1, not 2",
+    "silhouette.degradation.strength=2": "strength must be from 0 to 1, not 2",
     "recording.root=file": "cannot write to 'file/single_image'",
     "recording.name=a/b": "name of one folder",
     "recording=screen": "there is no recording=screen; there are file, none, viewer, web",
-    "recording.sinks=[fil]": "recording.sinks is a list of any of file, viewer, web, without 'fil'",
-    "recording.sinks=file": "'recording.sinks' is to be a list",
-    "recording.web_port=x": "'recording.web_port' is to be a whole number",
+    "recording.sinks=[fil]": "recording.sinks must list any of file, viewer, web, not 'fil'",
+    "recording.sinks=file": "'recording.sinks' must be a list",
+    "recording.web_port=x": "'recording.web_port' must be an integer",
     "experiment=predict": "add silhouette=masks silhouette.source=FOLDER",
-    "experiment=predict silhouette=masks silhouette.source=nowhere": "no folder 'nowhere'",
+    "predict nowhere": "no folder 'nowhere'",
+    "predict model=file": "there is no file 'model=file'; the path comes first",
+    "predict": "'predict' needs a path",
     "experiment=predict silhouette=masks silhouette.source=empty": "holds no masks",
     "experiment=predict silhouette=masks silhouette.source=blank": "'blank/0.png' has no fore",
     "experiment=predict silhouette=masks silhouette.source=good model=file": "no silpose model",
@@ -140,8 +183,8 @@ def test_debug_shows_where_an_error_comes_from(run):
 
 def test_a_run_without_a_recording_does_not_load_rerun(fast, tmp_path):
     code = (
-        "import sys; from silpose.app.main import run_experiment; from silpose.app.config import load;"
-        "run_experiment(load(sys.argv[1:])); print({'rerun', 'rerun_bindings'} & set(sys.modules))"
+        "import sys, silpose; silpose.run_experiment(sys.argv[1:]);"
+        "print({'rerun', 'rerun_bindings'} & set(sys.modules))"
     )
     settings = [*fast, "recording=none", f"recording.root={tmp_path}", "recording.name=small"]
     shown = subprocess.run(
@@ -155,14 +198,29 @@ def test_a_run_without_a_recording_does_not_load_rerun(fast, tmp_path):
 
 
 def test_help_and_import_do_not_wait_for_heavy_packages():
-    heavy = {"rerun", "sklearn", "scipy", "numba", "cv2", "matplotlib"}
-    code = f"import sys, silpose, silpose.app.main; print({heavy!r} & set(sys.modules))"
-    shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert shown.stdout.strip() == "set()"
-    shown = subprocess.run(
-        [sys.executable, "-m", "silpose.app.main", "--help"],
-        capture_output=True,
-        text=True,
-        check=True,
+    heavy = {"rerun", "sklearn", "scipy", "numba", "cv2", "matplotlib", "numpy", "hydra", "griffe"}
+    code = (
+        "import sys, silpose, silpose.app.main; sys.argv[1:] = ['--help']; silpose.app.main.main();"
+        f"print({heavy!r} & set(sys.modules))"
     )
+    shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert shown.stdout.splitlines()[-1] == "set()"
     assert "single_image" in shown.stdout
+    assert "predict PATH" in shown.stdout
+
+
+def test_settings_are_explained_without_importing_what_they_are_for(run):
+    code = (
+        "import sys; from silpose.app.settings_table import print_settings;"
+        "print_settings(['regression', 'tracking', 'experiment']);"
+        "print({'sklearn', 'scipy', 'numba', 'cv2', 'numpy'} & set(sys.modules))"
+    )
+    shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert shown.stdout.splitlines()[-1] == "set()"
+
+
+def test_a_verb_shows_what_it_is_short_for(run):
+    status, out, _ = run("predict", "--help")
+    assert status == 0
+    assert "silpose predict PATH" in out
+    assert "experiment=predict silhouette=masks silhouette.source=PATH" in out

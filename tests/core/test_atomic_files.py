@@ -4,7 +4,7 @@ from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
 
 
-def test_a_file_has_its_name_only_once_it_is_whole(tmp_path):
+def test_a_file_has_its_name_only_once_it_is_complete(tmp_path):
     with writing(tmp_path / "a.png") as path:
         path.write_text("half")
         assert path.suffix == ".png"  # by which some writers choose the format
@@ -22,6 +22,6 @@ def test_what_fails_leaves_what_was_there(tmp_path):
 
 def test_a_place_that_cannot_be_written_to_is_named(tmp_path, read_only):
     for path in (tmp_path / "missing" / "a", read_only / "a"):
-        said = pytest.raises(InputError, match=f"cannot write '{path}' .*choose another place")
-        with said, writing(path):
+        refused = pytest.raises(InputError, match=f"cannot write '{path}' .*choose another place")
+        with refused, writing(path):
             pass

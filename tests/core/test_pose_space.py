@@ -1,6 +1,8 @@
 import numpy as np
 import pytest
 
+from silpose.core import skeleton
+from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES, AUTHORS_JOINTS, wrap_degrees
 
 
@@ -59,3 +61,23 @@ def test_pairwise_is_the_distance_of_all_pairs():
     ):
         pairs = space.pairwise(x[:3], x)
         np.testing.assert_allclose(pairs, space.distance(x[:3, None], x[None]), atol=1e-9)
+
+
+def test_every_space_has_angles_and_only_angles_have_rotations():
+    _, x = random_poses(3)
+    assert len(ANGLES.angle_names) == 54
+    assert ANGLES.rotations(x).shape == (3, 18, 3, 3)
+    y = np.random.default_rng(0).normal(size=(3, 59))
+    np.testing.assert_allclose(AUTHORS_JOINTS.angles(y)[:, 0], AUTHORS_JOINTS.heading(y))
+    assert AUTHORS_JOINTS.angle_errors(y, -y) == pytest.approx(np.full((3, 1), 180.0))
+    with pytest.raises(InputError, match="joint positions and have no rotations"):
+        AUTHORS_JOINTS.rotations(y)
+
+
+def test_a_standing_pose_has_its_lowest_point_on_the_ground():
+    _, x = random_poses(4)
+    height = ANGLES.standing_height(x)
+    np.testing.assert_allclose(height, skeleton.standing_height(ANGLES.rotations(x)))
+    y = np.random.default_rng(0).normal(size=(3, 59))
+    lowest = AUTHORS_JOINTS.joints(y)[..., 1].min(axis=1)
+    np.testing.assert_allclose(AUTHORS_JOINTS.standing_height(y), -lowest)

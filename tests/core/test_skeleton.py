@@ -110,3 +110,30 @@ def test_standing_height_puts_the_lowest_sole_on_the_ground():
     angles[0, [skeleton.ANGLES.index(f"{s}_hip_x") for s in ("left", "right")]] = -90  # sitting
     sitting = skeleton.standing_height(skeleton.rotations_from_angles(angles))[0]
     assert 0.1 < sitting < 0.7 * upright
+
+
+def test_rotations_relative_to_the_parent_come_from_those_in_the_world():
+    angles = np.random.default_rng(3).uniform(-80, 80, (4, 54))
+    rotations = skeleton.rotations_from_angles(angles)
+    _, world = skeleton.forward_kinematics(rotations)
+    by_joint = dict(zip(skeleton.JOINTS, np.moveaxis(world, 1, 0), strict=True))
+    np.testing.assert_allclose(skeleton.local_rotations(by_joint), rotations, atol=1e-12)
+
+
+def test_the_smallest_rotation_turns_about_the_normal():
+    start, end = np.array([2.0, 0, 0]), np.array([1.0, 0, 3.0])
+    rotation = skeleton.smallest_rotation(start, end)
+    np.testing.assert_allclose(rotation @ start / 2, end / np.linalg.norm(end), atol=1e-12)
+    np.testing.assert_allclose(rotation @ [0, 1, 0], [0, 1, 0], atol=1e-12)
+    np.testing.assert_array_equal(skeleton.smallest_rotation(start, 3 * start), np.eye(3))
+
+
+def test_frames_near_a_singularity_are_counted_by_joint():
+    angles = np.zeros((5, 54))
+    angles[1:3, skeleton.ANGLES.index("left_hip_z")] = 85, -89
+    assert skeleton.near_singularity(angles) == {"left_hip": 2}
+
+
+def test_the_other_side_of_the_middle_is_itself():
+    assert skeleton.other_side("left_knee") == "right_knee"
+    assert skeleton.other_side("neck") == "neck"

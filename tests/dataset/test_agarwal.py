@@ -10,10 +10,10 @@ from silpose.dataset.agarwal import LENGTHS
 
 @pytest.fixture(scope="module")
 def dataset(shared_mocap):
-    return AgarwalFile(shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat").dataset()
+    return AgarwalFile(shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat").load()
 
 
-def test_sequences_begin_where_poses_jump(dataset):
+def test_takes_begin_where_poses_jump(dataset):
     assert [len(take) for take in dataset.train] == list(LENGTHS)
     x = poses(dataset.train)
     steps = AUTHORS_JOINTS.distance(x[1:], x[:-1])
@@ -32,7 +32,7 @@ def test_the_test_walk_turns_as_the_papers(dataset):
 def test_descriptors_are_histograms(dataset):
     for take in [*dataset.train, *dataset.test]:
         np.testing.assert_allclose(take.z.sum(axis=1), 1)
-        assert take.masks is None
+        assert not take.has_masks
 
 
 def test_joints_are_those_of_a_person(dataset):
@@ -58,10 +58,10 @@ def test_left_is_where_the_heading_says(dataset):
 
 def test_other_files_are_refused(tmp_path):
     with pytest.raises(InputError, match="there is no file"):
-        AgarwalFile(tmp_path / "a.mat").dataset()
+        AgarwalFile(tmp_path / "a.mat").load()
     (tmp_path / "a.mat").write_bytes(b"nonsense")
     with pytest.raises(InputError, match="no MATLAB file"):
-        AgarwalFile(tmp_path / "a.mat").dataset()
+        AgarwalFile(tmp_path / "a.mat").load()
     savemat(tmp_path / "a.mat", {"Y": np.ones((3, 3))})
     with pytest.raises(InputError, match="Y has shape"):
-        AgarwalFile(tmp_path / "a.mat").dataset()
+        AgarwalFile(tmp_path / "a.mat").load()

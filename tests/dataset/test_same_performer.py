@@ -14,7 +14,7 @@ def test_usual_takes_are_found_by_name():
     assert (split.train, split.validation, split.test) == (SPIRALS[1:2], SPIRALS[2:], SPIRALS[:1])
 
 
-def test_strangers_leave_their_last_takes():
+def test_of_unknown_takes_the_last_are_held_out():
     split = SamePerformer().split(["a", "b", "c", "d"])
     assert (split.train, split.validation, split.test) == (["a", "b"], ["c"], ["d"])
 
@@ -30,7 +30,7 @@ def test_globs_choose_and_the_rest_trains():
         ({"test": ["x"]}, WALKER, "no take matches 'x' in dataset.test"),
         ({"test": ["test"], "validation": ["t*"]}, WALKER, "'train_1' is in two of|'test' is in"),
         ({"test": ["test"], "train": ["test"]}, WALKER, "'test' is in two"),
-        ({}, ["a", "b"], "needs 3 takes"),
+        ({}, ["a", "b"], "needs at least 3 takes"),
         ({"test": ["*1"], "validation": ["*2", "validation", "test"]}, WALKER, "left to train on"),
     ],
 )

@@ -1,38 +1,49 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
-from silpose.dataset import Dataset, photograph, poses
-from silpose.motion import Motion
+from silpose.dataset import Dataset, poses
 from silpose.silhouette import Camera
-
-
-def test_photograph_gives_a_mask_for_every_pose(sequence):
-    assert len(sequence) == 40
-    assert sequence.x.shape == (40, 55)
-    assert sequence.masks.shape == (40, 96, 96)
-    assert sequence.masks.any(axis=(1, 2)).all()
-
-
-def test_orbiting_the_camera_changes_the_heading_alone(body):
-    angles = np.random.default_rng(0).uniform(-20, 20, (2, 54))
-    walked = np.array([[-0.9, 0, 0], [0.9, 0, 0]])
-    motion = Motion("m", "p", 15.0, angles, walked)
-    camera = Camera(width=64, height=64, follow=False)
-    seen = photograph(motion, body, camera)
-    np.testing.assert_allclose(seen.x[:, 2:], angles[:, 1:])
-    assert abs(ANGLES.heading(seen.x) - angles[:, 0]).min() > 10
-
-
-def test_a_person_out_of_sight_is_reported(body):
-    walked = np.array([[-9.0, 0, 0], [9.0, 0, 0]])
-    motion = Motion("far", "p", 15.0, np.zeros((2, 54)), walked)
-    with pytest.raises(InputError, match="frame 0 of take 'far' is out of the camera's sight"):
-        photograph(motion, body, Camera(follow=False))
 
 
 def test_a_take_in_two_lists_is_refused(sequence):
     with pytest.raises(InputError, match="'swinging' is in two"):
         Dataset("d", ANGLES, [sequence], [sequence], [])
-    assert len(poses([sequence, sequence])) == 80
+    renamed = replace(sequence, name="again")
+    with pytest.raises(InputError, match="take 'swinging' is in two"):
+        Dataset("d", ANGLES, [sequence], [], [renamed])
+
+
+def test_a_performer_in_two_lists_is_refused_if_they_are_kept_apart(sequence):
+    other = replace(sequence, name="other", source="other")
+    with pytest.raises(InputError, match="performer 'someone' is in two"):
+        Dataset("d", ANGLES, [sequence], [], [other], by_performer=True)
+    assert not Dataset("d", ANGLES, [sequence], [], [other]).by_performer
+
+
+def test_two_takes_of_one_name_are_refused(sequence):
+    with pytest.raises(InputError, match="two takes are called 'swinging'"):
+        Dataset("d", ANGLES, [sequence, sequence], [], [])
+
+
+def test_all_poses_are_in_one_array(sequence):
+    assert poses([sequence, sequence]).shape == (80, 55)
+
+
+def test_a_take_knows_whether_it_has_masks(sequence):
+    described = replace(sequence, name="described", source=None, masks=None, z=np.ones((40, 3)))
+    assert sequence.has_masks and not described.has_masks
+    np.testing.assert_array_equal(sequence.mask_array(), sequence.masks)
+    with pytest.raises(InputError, match="'described' holds descriptors but no masks"):
+        described.mask_array()
+    assert Dataset("d", ANGLES, [sequence], [], []).has_masks
+    assert not Dataset("d", ANGLES, [sequence], [], [described]).has_masks
+
+
+def test_a_takes_own_camera_comes_first(sequence):
+    other = Camera(elevation=40)
+    assert sequence.camera_or(other) == sequence.camera != other
+    assert replace(sequence, camera=None).camera_or(other) == other

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
-from silpose.descriptor.codebook import METHODS, learn_codebook, round_the_wheel, typical_distance
+from silpose.descriptor.codebook import METHODS, circular_order, learn_codebook, typical_distance
 
 
 @pytest.fixture
@@ -46,10 +46,10 @@ def test_centres_are_where_contexts_are(contexts):
     assert typical_distance(contexts, codebook) > 0.1
 
 
-def test_neighbours_in_the_codebook_are_alike():
+def test_neighbours_in_the_codebook_are_similar():
     turns = np.random.default_rng(0).permutation(50) / 50
     circle = np.cos(2 * np.pi * (turns[:, None] - np.arange(12) / 12)).astype(np.float32)
-    ordered = turns[round_the_wheel(circle)]
+    ordered = turns[circular_order(circle)]
     steps = np.diff(ordered, append=ordered[0]) % 1
     np.testing.assert_allclose(np.minimum(steps, 1 - steps), 1 / 50, atol=1e-9)
 

@@ -1,8 +1,8 @@
-"""The manners of a scikit-learn estimator.
+"""scikit-learn's checks of an estimator.
 
-scikit-learn's checks feed tables, and masks are no table: a row is drawn as a bar chart, whose
-shape is the mask. What the checks say of fitting, cloning, pickling, order and subsets of examples
-then holds of the histogram itself.
+The checks use tables, and masks are no table: a row is drawn as a bar chart, whose shape is the
+mask. What the checks show about fitting, cloning, pickling, order and subsets of examples then
+holds for the histogram itself.
 """
 
 import numpy as np
@@ -24,7 +24,7 @@ class OfBarCharts(ShapeContextHistogram):
 
     def transform(self, X):
         if not hasattr(self, "codebook_"):
-            return super().transform(X)  # which complains
+            return super().transform(X)  # raises NotFittedError
         return super().transform(self._bar_charts(X, reset=False))
 
     def _bar_charts(self, X, reset):
@@ -38,8 +38,8 @@ def test_bar_charts_pass_the_checks(estimator, check):
     check(estimator)
 
 
-# On the class as it is, these fail for one reason: the check's own data are a table
-# (n, features), and the error that says so is not the one the check waits for.
+# On the class itself these fail for one reason: the check's data are a table (n, features), and the
+# error about it is another one than the check expects.
 FEED_TABLES = """
     check_complex_data check_dict_unchanged check_dont_overwrite_parameters check_dtype_object
     check_estimator_sparse_array check_estimator_sparse_matrix check_estimators_dtypes

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 
 from silpose.core.pose_space import ANGLES
-from silpose.evaluation import baselines, measure
-from silpose.evaluation.baselines import oracle
+from silpose.evaluation import measure
+from silpose.evaluation.metrics import procrustes_distances
 
 
 @pytest.fixture
@@ -60,7 +60,6 @@ def test_procrustes_forgives_a_turn_and_mpjpe_does_not(angles):
 
 def test_procrustes_does_not_forgive_a_reflection(angles):
     x = ANGLES.from_angles(angles)
-    from silpose.evaluation.metrics import procrustes_distances
 
     class Mirrored(type(ANGLES)):
         def joints(self, x):
@@ -74,19 +73,3 @@ def test_procrustes_does_not_forgive_a_reflection(angles):
     joints = iter([true, mirrored])
     space.joints = lambda _: next(joints)
     assert procrustes_distances(space, x, x).mean() > 5
-
-
-def test_baselines_do_what_their_names_say(angles):
-    x = ANGLES.from_angles(angles)
-    rng = np.random.default_rng(1)
-    z = rng.random((30, 8))
-    estimates = baselines(ANGLES, z[:20], x[:20], z[20:], x[20:])
-    np.testing.assert_allclose(estimates["mean_pose"], x[:20].mean(axis=0)[None].repeat(10, 0))
-    gaps = np.linalg.norm(np.sqrt(z[20:, None]) - np.sqrt(z[None, :20]), axis=2)
-    np.testing.assert_array_equal(estimates["nearest"], x[:20][gaps.argmin(axis=1)])
-    best = ANGLES.distance(x[20:], estimates["oracle"])
-    for name in ("nearest",):
-        assert (best <= ANGLES.distance(x[20:], estimates[name]) + 1e-9).all()
-    np.testing.assert_array_equal(oracle(ANGLES, x, x), x)
-    seen = baselines(ANGLES, z, x, z, x)
-    np.testing.assert_allclose(seen["knn"], x)  # a training mask is its own neighbour

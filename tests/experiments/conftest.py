@@ -1,39 +1,78 @@
-"""Whole experiments on a few seconds of motion in small images."""
+"""Components of a few seconds of motion, and a function that runs an experiment on them."""
 
-import csv
-import json
+from dataclasses import dataclass
+from pathlib import Path
 
 import cv2
 import pytest
 from rerun.chunk import RrdReader
+from small_components import components_of
 
-from silpose.app.config import load
-from silpose.app.main import run_experiment
-
-SMALL = (
-    "motion.seconds=3",
-    "motion.test_seconds=3",
-    "silhouette.camera.width=96",
-    "silhouette.camera.height=96",
-    "descriptor.codebook_size=40",
-)
+from silpose.core.stages import timing
+from silpose.dataset import AgarwalFile, CrossPerformer, SamePerformer
+from silpose.experiments import EXPERIMENTS
+from silpose.motion import MotionFolder, WalkerTakes, save_bvh
+from silpose.recording import Result, RunFolder, write_result
 
 
-@pytest.fixture
-def study(tmp_path):
-    """Run an experiment; give its metrics, its rows and its folder."""
+@pytest.fixture(scope="session")
+def walkers():
+    """Walkers of a few seconds."""
+    return components_of(SamePerformer(), WalkerTakes(seconds=3, test_seconds=3))
 
-    def run(name, *overrides):
-        root = f"recording.root={tmp_path}"
-        small = SMALL if "motion=bvh" not in overrides else SMALL[2:]
-        run_experiment(load([f"experiment={name}", *small, root, *overrides]))
-        folder = tmp_path / name / "001"
-        rows = []
-        if (folder / "results.csv").exists():
-            with (folder / "results.csv").open() as file:
-                rows = list(csv.DictReader(file))
-        assert cv2.imread(str(folder / f"{name}.png")).std() > 10
-        assert len(list(RrdReader(folder / "run.rrd").stream())) > 5
-        return json.loads((folder / "metrics.json").read_text())["metrics"], rows
 
-    return run
+@pytest.fixture(scope="session")
+def longer_walkers():
+    """Walkers whose test take is long enough for failures."""
+    return components_of(SamePerformer(), WalkerTakes(seconds=3, test_seconds=7))
+
+
+@pytest.fixture(scope="session")
+def performers(tmp_path_factory):
+    """A folder of BVH files by three performers, 00 to 02, of whom the last is for testing."""
+    folder = tmp_path_factory.mktemp("performers")
+    for k, take in enumerate(WalkerTakes(seconds=3, test_seconds=3).takes()[:6]):
+        save_bvh(folder / f"0{k % 3}_{k}.bvh", take)
+    return components_of(CrossPerformer(test=["02"]), MotionFolder(folder))
+
+
+@pytest.fixture(scope="session")
+def authors(shared_mocap):
+    """The authors' own data."""
+    file = shared_mocap.parent / "paper" / "ankurDataPoseSilhouette.mat"
+    return components_of(AgarwalFile(file), WalkerTakes())
+
+
+@dataclass
+class Run:
+    """What an experiment returned, and the folder into which it was written."""
+
+    result: Result
+    folder: Path
+    seconds: dict
+
+    def __post_init__(self):
+        self.metrics, self.rows = self.result.metrics, self.result.rows
+
+    def values(self, name):
+        """One metric by method."""
+        return {m: own[name] for m, own in self.metrics.items() if name in own}
+
+
+@pytest.fixture(scope="session")
+def run(tmp_path_factory):
+    """A function that runs an experiment, and writes and checks its files."""
+
+    def call(name, components, *, record=True, **own):
+        root = tmp_path_factory.mktemp("recordings")
+        folder = RunFolder.start(name, root=str(root), sinks=["file"] if record else [])
+        with timing() as seconds:
+            result = EXPERIMENTS[name](components, **own)
+            write_result(folder, result, components.seed, seconds)
+        if result.figure is not None:
+            assert cv2.imread(str(folder.folder / f"{name}.png")).std() > 10
+        if record:
+            assert len(list(RrdReader(folder.folder / "run.rrd").stream())) > 5
+        return Run(result, folder.folder, seconds)
+
+    return call

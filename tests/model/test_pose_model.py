@@ -1,16 +1,12 @@
-import io
-import json
-
 import numpy as np
-import pybvh
 import pytest
 
-import silpose
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
-from silpose.model.pose_model import PoseModel
+from silpose.model import PoseModel
 from silpose.regression import RelevanceVectorRegressor, RidgeRegressor
+from silpose.tracking import BeliefTracker
 
 
 @pytest.fixture(scope="module", params=[RidgeRegressor, RelevanceVectorRegressor])
@@ -21,6 +17,16 @@ def model(request, sequence):
     return PoseModel(histogram, regressor, ANGLES, 15.0).fit(sequence.masks, sequence.x)
 
 
+@pytest.fixture(scope="module")
+def tracking(sequence):
+    """A model that tracks."""
+    histogram = ShapeContextHistogram(codebook_size=30)
+    z = histogram.fit_transform(sequence.masks)
+    tracker = BeliefTracker(keep=0.5).fit([(z, sequence.x)])
+    regressor = RidgeRegressor(damping=0.01).fit(z, sequence.x)
+    return PoseModel(histogram, regressor, ANGLES, 15.0, tracker)
+
+
 def test_poses_have_joints_and_heading(model, sequence):
     poses = model.predict(sequence.masks)
     assert len(poses) == 40
@@ -29,17 +35,6 @@ def test_poses_have_joints_and_heading(model, sequence):
     off = np.abs((poses.heading - ANGLES.heading(sequence.x) + 180) % 360 - 180)
     assert np.median(off) < 10
     assert np.median(poses.heading_norm) == pytest.approx(1, abs=0.2)
-
-
-def test_poses_are_saved_as_bvh(model, mask_folder, tmp_path):
-    poses = model.predict(mask_folder, blank="nan")
-    poses.save_bvh(tmp_path / "poses.bvh", 15.0)
-    bvh = pybvh.read_bvh_file(tmp_path / "poses.bvh")
-    assert bvh.frame_count == 12
-    read = bvh.node_positions(centered="skeleton")[:, bvh.node_index["left_knee"]]
-    knee = ANGLES.joints(poses.x[:5])[:, ANGLES.joint_names.index("left_knee")]
-    np.testing.assert_allclose(read[:5], knee, atol=1e-5)
-    np.testing.assert_array_equal(read[5], read[4])  # the sixth is blank
 
 
 def test_array_list_and_folder_agree(model, mask_folder, sequence):
@@ -56,35 +51,55 @@ def test_a_blank_mask_is_a_row_of_nan_or_an_error_that_names_it(model, mask_fold
         model.predict(mask_folder)
     with pytest.raises(InputError, match="mask 1 has no foreground"):
         model.predict([sequence.masks[0], 0 * sequence.masks[0]])
-    with pytest.raises(InputError, match="blank is 'error' or 'nan'"):
+    with pytest.raises(InputError, match="blank must be 'error' or 'nan'"):
         model.predict(sequence.masks, blank="skip")
+    with pytest.raises(InputError, match="none of the 2 masks has a foreground"):
+        model.predict(0 * sequence.masks[:2], blank="nan")
 
 
-def test_saved_and_loaded_it_predicts_the_same(model, sequence, tmp_path):
-    model.save(tmp_path / "model.npz")
-    for place in (tmp_path / "model.npz", tmp_path):
-        loaded = silpose.load(place)
-        assert loaded.frames_per_second == 15
-        np.testing.assert_array_equal(
-            loaded.predict(sequence.masks).x, model.predict(sequence.masks).x
-        )
+def test_every_step_of_a_prediction_is_explained(model, mask_folder):
+    details = model.explain(mask_folder, blank="nan")
+    assert len(details.masks) == len(details.points) == len(details.nearest) == 12
+    assert len(details.points[5]) == len(details.nearest[5]) == 0
+    blank = np.arange(12) == 5
+    for rows in (details.z, details.activations, details.x):
+        np.testing.assert_array_equal(np.isnan(rows).all(axis=1), blank)
+    seen = details.z[~blank]
+    np.testing.assert_array_equal(details.x[~blank], model.regressor.predict(seen))
+    np.testing.assert_array_equal(details.activations[~blank], model.regressor.activations(seen))
+    assert max(map(np.max, details.nearest[:5])) < 30
 
 
-def test_a_file_that_is_no_model_is_named(tmp_path):
-    with pytest.raises(InputError, match="there is no model"):
-        silpose.load(tmp_path)
-    other = io.BytesIO()
-    np.savez(other, a=np.ones(3))
-    for content in (b"", b"nonsense", other.getvalue()):
-        (tmp_path / "model.npz").write_bytes(content)
-        with pytest.raises(InputError, match=r"model\.npz' is no silpose model"):
-            silpose.load(tmp_path)
+def test_descriptors_are_explained_without_masks(model, sequence):
+    z = model.descriptor.transform(sequence.masks[:4])
+    details = model.explain_descriptors(z)
+    assert details.masks == []
+    np.testing.assert_array_equal(details.x, model.predict(sequence.masks[:4]).x)
 
 
-def test_another_format_asks_for_training_anew(model, tmp_path):
-    model.save(tmp_path / "model.npz")
-    arrays = dict(np.load(tmp_path / "model.npz"))
-    header = json.loads(str(arrays["header"])) | {"format": 99}
-    np.savez(tmp_path / "model.npz", **(arrays | {"header": np.array(json.dumps(header))}))
-    with pytest.raises(InputError, match="format 99"):
-        silpose.load(tmp_path)
+def test_a_stream_tracks_frame_by_frame_and_changes_no_other(tracking, sequence):
+    masks = sequence.masks[:12].copy()
+    masks[5] = 0
+    track = tracking.track(masks)
+    step, other = tracking.stream(), tracking.stream()
+    live = []
+    for mask in masks:
+        live.append(step(mask))
+        tracking.track(masks[:3])
+        other(masks[0])
+    np.testing.assert_allclose([x for x, _ in live], track.x)
+    assert [state for _, state in live] == track.state
+
+
+def test_a_stream_may_begin_with_a_blank_mask(tracking, sequence):
+    step = tracking.stream()
+    assert step(0 * sequence.masks[0])[1] == "starting"
+    assert np.isfinite(step(sequence.masks[1])[0]).all()
+
+
+def test_other_frame_rates_and_models_without_tracker_are_refused(model, tracking, sequence):
+    with pytest.raises(InputError, match="trained at 15 frames per second"):
+        tracking.track(sequence.masks, frames_per_second=30)
+    for use in (model.stream, lambda: model.track(sequence.masks)):
+        with pytest.raises(InputError, match="train one with experiment=tracking"):
+            use()

@@ -32,7 +32,7 @@ def test_pybvh_reads_back_the_same_joints(tmp_path, motion):
         np.testing.assert_allclose(read[:, node], positions(motion)[:, p], atol=1e-5)
 
 
-def test_we_read_back_the_same_angles(tmp_path, motion):
+def test_the_same_angles_are_read_back(tmp_path, motion):
     save_bvh(tmp_path / "m.bvh", motion)
     (read,) = MotionFolder(tmp_path).takes()
     difference = (read.angles - motion.angles + 180) % 360 - 180
@@ -40,7 +40,7 @@ def test_we_read_back_the_same_angles(tmp_path, motion):
     assert np.abs(np.delete(difference, feet, axis=1)).max() < 0.01
 
 
-def test_frames_without_an_answer_hold_the_last_one(tmp_path, motion):
+def test_frames_without_a_pose_repeat_the_one_before(tmp_path, motion):
     angles = motion.angles.copy()
     angles[[0, 3]] = np.nan
     save_bvh(tmp_path / "m.bvh", Motion("m", "p", 15.0, angles, motion.root_position))
@@ -53,5 +53,5 @@ def test_what_cannot_be_saved(tmp_path, motion):
     with pytest.raises(InputError, match=r"name a \.bvh file"):
         save_bvh(tmp_path / "m.txt", motion)
     nothing = Motion("m", "p", 15.0, np.full((2, 54), np.nan), np.zeros((2, 3)))
-    with pytest.raises(InputError, match="without a single known frame"):
+    with pytest.raises(InputError, match="no frame of the motion has a pose"):
         save_bvh(tmp_path / "m.bvh", nothing)

@@ -1,6 +1,7 @@
 import numpy as np
 
 from silpose.recording import codebook_picture, palette
+from silpose.recording import entity_paths as entities
 
 
 def test_a_centre_is_bright_where_its_contour_lies():
@@ -12,10 +13,15 @@ def test_a_centre_is_bright_where_its_contour_lies():
     right, below = picture[:40, :40], picture[:40, 40:80]
     assert right[20, 35] == right.max() > 3 * right[20, 5]
     assert below[35, 20] == below.max() > 3 * below[5, 20]
-    assert picture[60, 100] == sum(palette.BACKGROUND)  # no sixth centre: black
+    assert picture[60, 100] == sum(palette.BACKGROUND)  # there is no sixth centre
 
 
-def test_neighbours_have_neighbouring_colours():
-    colours = np.array([palette.hue(k, 100) for k in range(100)])
-    steps = np.abs(np.diff(np.vstack([colours, colours[:1]]), axis=0)).max(axis=1)
-    assert steps.max() < 20
+def test_votes_are_bars_as_long_as_their_share(recordings, logged):
+    strips = logged(recordings["context_space"], entities.VOTES, "LineStrips2D:strips")
+    ends = np.array(strips)  # (F, K, 2, 2)
+    assert ends.shape == (6, 9, 2, 2)
+    lengths = ends[:, :, 1, 0] - ends[:, :, 0, 0]
+    bars = logged(recordings["context_space"], entities.HISTOGRAM, "BarChart:values")
+    shares = np.array([bar[0]["buffer"] for bar in bars])
+    assert np.corrcoef(lengths.ravel(), shares.ravel())[0, 1] > 0.99
+    assert lengths.max() <= 40

@@ -1,7 +1,6 @@
 import re
 from pathlib import Path
 
-from silpose.app.config import load
 from silpose.recording import Header
 from silpose.recording import entity_paths as entities
 
@@ -43,13 +42,11 @@ def test_where_a_recording_goes_is_not_what_it_is():
     assert here.identity != there.identity  # yet they are two recordings
 
 
-def test_texts_tell_settings_and_results():
+def test_texts_hold_words_settings_and_results():
     texts = header().texts()
-    assert "4.25°" in texts[entities.METRICS]
+    assert texts[entities.TAKE] == "a walk"
+    assert texts[entities.METRICS].startswith("a walk\n\n| method |")
+    assert "| rvm | 4.25° |" in texts[entities.METRICS]
     assert "nu:" in texts[entities.SETTINGS]
+    assert "root: /somewhere" not in texts[entities.SETTINGS]
     assert entities.SETTINGS not in header("").texts()
-
-
-def test_every_kind_of_sinks_is_known():
-    for choice, sinks in (("file", ["file"]), ("viewer", ["file", "viewer"]), ("none", [])):
-        assert load([f"recording={choice}"]).recording.sinks == sinks

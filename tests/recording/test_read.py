@@ -1,9 +1,8 @@
 import numpy as np
 import pytest
 
-from silpose import load_poses
 from silpose.core.errors import InputError
-from silpose.recording import Header, read_poses, read_tracks, record_prediction
+from silpose.recording import load_poses, read_poses, read_recording, record_prediction
 
 
 def test_poses_come_back_as_they_were(finished):
@@ -14,22 +13,21 @@ def test_poses_come_back_as_they_were(finished):
     assert off == pytest.approx(finished.metrics["rvm_20"]["mean_angular_error_deg"])
 
 
-def test_a_frame_without_an_answer_is_nan(tmp_path, finished, mask_folder):
-    look = finished.model.explain(mask_folder, blank="nan")
-    header = Header("predict", "p", tmp_path / "p.rrd", "masks")
-    record_prediction(header, finished.model, look, 15.0)
+def test_a_frame_without_an_estimate_is_nan(tmp_path, finished, mask_folder, header):
+    details = finished.model.explain(mask_folder, blank="nan")
+    record_prediction(header(tmp_path / "p.rrd"), finished.model, details, 15.0)
     estimated = read_poses(tmp_path / "p.rrd")["estimated"]
     assert np.isnan(estimated).any(axis=1).tolist() == [frame == 5 for frame in range(12)]
-    assert estimated[6] == pytest.approx(look.x[6], rel=1e-6)
+    assert estimated[6] == pytest.approx(details.x[6], rel=1e-6)
 
 
 def test_errors_and_times_come_back(finished):
-    tracks = read_tracks(finished.recording)
-    assert tracks.columns == finished.model.space.columns
-    assert tracks.time == pytest.approx(np.arange(45) / 15)
-    assert set(tracks.errors) == set(finished.metrics)
-    off = finished.model.space.distance(tracks.poses["true"], tracks.poses["estimated"])
-    assert tracks.errors["rvm_20"] == pytest.approx(off, rel=1e-4)
+    recorded = read_recording(finished.recording)
+    assert recorded.columns == finished.model.space.columns
+    assert recorded.time == pytest.approx(np.arange(45) / 15)
+    assert set(recorded.errors) == set(finished.metrics)
+    off = finished.model.space.distance(recorded.poses["true"], recorded.poses["estimated"])
+    assert recorded.errors["rvm_20"] == pytest.approx(off, rel=1e-4)
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from silpose.regression import Basis, RidgeRegressor
 @pytest.mark.parametrize("damping", [1e-3, 0.1, 10])
 def test_agrees_with_scikit_learn_on_the_same_kernels(smooth, damping):
     (z, x), (unseen, _) = smooth
-    ours = RidgeRegressor(Basis(centres=80), damping).fit(z, x)
+    ours = RidgeRegressor(Basis(centres=80), damping=damping).fit(z, x)
     kernels = Basis(centres=80).fit(z)
     scale = x.std(axis=0)
     theirs = Ridge(alpha=damping).fit(kernels.transform(z), x / scale)

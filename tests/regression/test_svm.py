@@ -1,3 +1,4 @@
+import joblib
 import numpy as np
 import pytest
 from sklearn.svm import SVR
@@ -6,7 +7,7 @@ from silpose.core.errors import InputError
 from silpose.regression import Basis, SupportVectorRegressor
 
 
-@pytest.mark.parametrize("basis", [Basis(width=2), Basis(None, linear=True)])
+@pytest.mark.parametrize("basis", [Basis(width=2, hellinger=False), Basis(None, linear=True, hellinger=False)])
 def test_agrees_with_scikit_learn(smooth, basis):
     (z, x), (unseen, _) = smooth
     ours = SupportVectorRegressor(basis, tube=0.05, penalty=3).fit(z, x)
@@ -28,10 +29,10 @@ def test_a_wider_tube_needs_fewer_vectors(smooth):
     assert len(wide.relevance_) == wide.kept_ * 200
 
 
-def test_a_tube_for_each_output_and_constant_outputs(smooth):
+def test_the_tube_has_the_units_of_each_output_and_constants_stay(smooth):
     (z, x), _ = smooth
     x = np.column_stack([x[:, :2], np.full(200, 4.0)])
-    regressor = SupportVectorRegressor(tube=[0.01, 10.0, 1.0]).fit(z, x)
+    regressor = SupportVectorRegressor(units=[0.01, 10.0, 1.0]).fit(z, x)
     estimated = regressor.predict(z)
     assert np.abs(estimated[:, 0] - x[:, 0]).mean() < 0.1
     assert np.ptp(estimated[:, 1]) == 0  # everything lies within its tube
@@ -42,5 +43,15 @@ def test_wrong_values_are_refused(smooth):
     (z, x), _ = smooth
     with pytest.raises(InputError, match="penalty must be positive"):
         SupportVectorRegressor(penalty=0).fit(z, x)
+    with pytest.raises(InputError, match="tube must be zero or positive"):
+        SupportVectorRegressor(tube=-1).fit(z, x)
     with pytest.raises(InputError, match="not both"):
         SupportVectorRegressor(Basis(linear=True)).fit(z, x)
+
+
+def test_machines_trained_side_by_side_are_the_same(smooth):
+    (z, x), (unseen, _) = smooth
+    alone = SupportVectorRegressor(tube=0.05).fit(z, x).predict(unseen)
+    with joblib.parallel_config(n_jobs=2):
+        together = SupportVectorRegressor(tube=0.05).fit(z, x).predict(unseen)
+    np.testing.assert_array_equal(together, alone)

@@ -3,7 +3,8 @@ import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
-from silpose.silhouette import mask_files, read_mask, read_masks
+from silpose.silhouette import MaskFiles, read_masks
+from silpose.silhouette.mask_files import mask_files, read_mask
 
 
 def test_files_come_in_the_order_of_their_numbers(tmp_path):
@@ -43,9 +44,37 @@ def test_a_video_of_masks_is_read_as_a_folder_is(tmp_path):
     for mask in masks:
         video.write(255 * mask)
     video.release()
+    np.testing.assert_array_equal(read_masks(file), masks)
     with pytest.raises(InputError, match=r"masks\.mp4/frame 1' has no foreground"):
-        read_masks(file)
-    np.testing.assert_array_equal(read_masks(file, blank="nan"), masks)
+        MaskFiles(str(file)).read()
+    np.testing.assert_array_equal(MaskFiles(str(file), blank="nan").read(), masks)
+    assert MaskFiles(str(file)).names(4)[3] == "frame 3"
     (tmp_path / "broken.mp4").write_bytes(b"no video at all")
     with pytest.raises(InputError, match=r"broken\.mp4' is no video"):
         read_masks(tmp_path / "broken.mp4")
+
+
+def test_a_folder_is_read_with_its_names_and_blank_masks_are_refused(mask_folder):
+    with pytest.raises(InputError, match=r"5\.png' has no foreground.*silhouette\.blank=nan"):
+        MaskFiles(str(mask_folder)).read()
+    files = MaskFiles(str(mask_folder), blank="nan")
+    masks = files.read()
+    assert len(masks) == 12 and not masks[5].any()
+    assert files.names(12)[9:] == ["9.png", "10.png", "11.png"]
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"blank": "skip"}, "blank must be 'error' or 'nan', not 'skip'"),
+        ({"frames_per_second": 0}, "frames_per_second must be a positive number"),
+    ],
+)
+def test_wrong_settings_are_named(settings, message):
+    with pytest.raises(InputError, match=message):
+        MaskFiles(**settings)
+
+
+def test_without_a_source_there_is_nothing_to_read():
+    with pytest.raises(InputError, match=r"add silhouette=masks silhouette\.source=FOLDER"):
+        MaskFiles().read()

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.tracking.belief_filter import update, fixed_lag_smooth, reversed_time
+from silpose.tracking.belief_filter import BeliefFilter, fixed_lag_smooth, reversed_time, update
 
 
 @pytest.fixture
@@ -34,10 +34,10 @@ def by_enumeration(transitions, likelihoods, frame, last):
 
 
 @pytest.mark.parametrize("lag", [0, 1, 3, 20])
-def test_waiting_gives_the_posterior(chain, lag):
-    revised = fixed_lag_smooth(forward(*chain), chain[1], chain[0], lag)
+def test_smoothing_gives_the_posterior(chain, lag):
+    smoothed = fixed_lag_smooth(forward(*chain), chain[1], chain[0], lag)
     for frame in range(8):
-        assert revised[frame] == pytest.approx(by_enumeration(*chain, frame, min(frame + lag, 7)))
+        assert smoothed[frame] == pytest.approx(by_enumeration(*chain, frame, min(frame + lag, 7)))
 
 
 def test_surprise_is_the_log_of_what_the_prediction_leaves():
@@ -62,3 +62,16 @@ def test_time_reversed_twice_is_time():
     backwards = reversed_time(transitions, sizes)
     assert backwards.sum(axis=1) == pytest.approx(np.ones(4))
     assert reversed_time(backwards, sizes) == pytest.approx(transitions)
+
+
+def test_a_surprise_beyond_tolerance_is_lost_and_starts_anew():
+    """Two key poses that never follow one another, facing to and from the camera."""
+    headings, prior = np.array([[1.0, 0.0], [-1.0, 0.0]]), np.full(2, 0.5)
+    seen = np.array([[1.0, 1e-9], [1.0, 1e-9], [1e-9, 1.0], [1e-9, 1.0]])
+    found = {}
+    for recovers in (True, False):
+        run = BeliefFilter(np.eye(2), prior, headings, tolerance=2.0, recovers=recovers)
+        steps = [run.step(row) for row in seen]
+        found[recovers] = [state for _, state in steps], steps[-1][0].argmax()
+    assert found[True] == (["tracking", "tracking", "lost", "recovered"], 1)
+    assert found[False][0][2] == "lost"

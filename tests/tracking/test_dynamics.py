@@ -34,5 +34,26 @@ def test_prediction_of_many_is_that_of_each(takes):
 def test_wants_three_frames_and_positive_damping(takes):
     with pytest.raises(InputError, match="three frames"):
         SecondOrderDynamics().fit([takes[0][1][:2]])
-    with pytest.raises(InputError, match="positive"):
+    with pytest.raises(InputError, match="damping must be positive"):
         SecondOrderDynamics(damping=0).fit([takes[0][1]])
+
+
+def test_a_diverging_state_is_kept_within_reach(takes):
+    model = SecondOrderDynamics().fit([x for _, x in takes])
+    last, before = 1e6 * takes[0][1][1], -1e6 * takes[0][1][0]
+    off = np.abs(model.predict_within(last, before, 3.0) - model.mean_) / model.scale_
+    assert off.max() == pytest.approx(3)
+    near = takes[0][1]
+    assert np.array_equal(
+        model.predict_within(near[1], near[0], 10.0), model.predict(near[1], near[0])
+    )
+
+
+def test_survives_saving(takes):
+    model = SecondOrderDynamics(damping=3.0).fit([x for _, x in takes])
+    again = SecondOrderDynamics.from_arrays(
+        {name: np.asarray(value) for name, value in model.to_arrays().items()}
+    )
+    assert again.damping == 3.0
+    x = takes[0][1]
+    assert np.array_equal(again.predict(x[1], x[0]), model.predict(x[1], x[0]))

@@ -1,14 +1,13 @@
 import numpy as np
 import pytest
 
-from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.tracking.key_poses import KeyPoses, kernel
 
 
 @pytest.fixture(scope="module")
 def keys(takes):
-    return KeyPoses.of(takes, ANGLES, 0.2, 0)
+    return KeyPoses.fit(takes, ANGLES, 0.2, 0)
 
 
 def test_there_are_as_few_as_asked_for(keys, takes):
@@ -24,16 +23,10 @@ def test_one_follows_another_with_certainty(keys):
 def test_what_was_not_seen_is_as_far_from_all(keys, unseen):
     z = unseen[0][:5].copy()
     z[2, 0] = np.nan
-    sight = keys.examples.see(z)
-    assert list(sight.blank) == [False, False, True, False, False]
-    assert np.ptp(sight.distances[2]) == 0
-    assert np.ptp(sight.distances[1]) > 0
-
-
-@pytest.mark.parametrize(("shape", "match"), [((3, 7), "expected"), ((0, 24), "no frame")])
-def test_descriptors_of_another_kind_are_refused(keys, shape, match):
-    with pytest.raises(InputError, match=match):
-        keys.examples.see(np.zeros(shape))
+    comparison = keys.examples.compare(z)
+    assert list(comparison.blank) == [False, False, True, False, False]
+    assert np.ptp(comparison.distances[2]) == 0
+    assert np.ptp(comparison.distances[1]) > 0
 
 
 def test_the_kernel_of_the_nearest_is_one():

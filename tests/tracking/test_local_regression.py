@@ -50,7 +50,7 @@ def test_a_rough_pose_decides_between_poses_that_look_alike():
     examples = KeyExamples(np.zeros(3), np.ones(3), np.eye(4), *both, spread=0.1)
     for sign in (1, -1):
         rough = sign * (pose[7] + rng.normal(size=3))
-        weights = weights_around(rough[None], examples.see(z[7:8]), examples, 0.5, 1.0)[0]
+        weights = weights_around(rough[None], examples.compare(z[7:8]), examples, 0.5, 1.0)[0]
         assert weights.sum() == pytest.approx(1)
         found = regress_locally(weights, *both, np.sqrt(z[7]), 1e-6)
         assert np.abs(found - sign * pose[7]).max() < 0.2 * np.abs(rough - sign * pose[7]).max()

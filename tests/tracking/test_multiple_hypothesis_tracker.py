@@ -6,9 +6,7 @@ from hypothesis import strategies as st
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.regression import MixtureOfRegressors
-from silpose.tracking import MultipleHypothesisTracker
-from silpose.tracking.belief_filter import STATES
-from silpose.tracking.hypotheses import Components, resampled
+from silpose.tracking import STATES, MultipleHypothesisTracker
 
 
 def heading_off(x, estimated):
@@ -22,8 +20,8 @@ def clone_with(tracker, **settings):
 
 @pytest.fixture(scope="module")
 def tracker(takes):
-    mixture = MixtureOfRegressors(60, 30, temperature=4, hellinger=True, units=ANGLES.units)
-    return MultipleHypothesisTracker(mixture, trust=0.1).fit(takes)
+    mixture = MixtureOfRegressors(60, dimensions=30, temperature=4, units=ANGLES.units)
+    return MultipleHypothesisTracker(mixture, likelihood_exponent=0.1, body_alone=0.1).fit(takes)
 
 
 def test_chooses_between_explanations_better_than_a_single_image(tracker, unseen):
@@ -114,38 +112,28 @@ def test_whatever_is_seen_the_track_is_finite(tracker, frames, lag, size, missin
 
 def test_thousands_of_random_steps_leave_it_as_it_was(tracker):
     rng = np.random.default_rng(0)
-    tracker.start()
+    run = tracker._filter(length=2)
     for row in rng.random((1000, 24)):
-        x, _ = tracker.step(row)
+        x, _ = tracker.advance(run, row)
         assert np.isfinite(x).all()
-    assert tracker._run._hypotheses.paths.shape[1:] == (2, 55)
-    assert len(tracker._run._hypotheses.weights) <= tracker.count
-
-
-def test_resampling_is_as_often_as_weights_say():
-    drawn, weights = resampled(np.array([0.5, 0.0, 0.3, 0.2]), 1000, np.random.default_rng(0))
-    assert drawn.tolist() == [0, 2, 3]
-    assert weights == pytest.approx([0.5, 0.3, 0.2], abs=1e-3)
-
-
-def test_evidence_is_a_gaussian_of_both_variances():
-    seen = Components(np.log([0.25]), np.array([[1.0, 2.0]]), np.array([[0.5, 1.0]]))
-    found = seen.log_evidence(np.array([[0.0, 0.0]]), np.array([0.5, 3.0]), trust=0.1)
-    assert found[0, 0] == pytest.approx(np.log(0.25) - 0.05 * (1 + 1 + np.log(1) + np.log(4)))
+    assert run.particles.paths.shape[1:] == (2, 55)
+    assert len(run.particles.weights) <= tracker.n_particles
 
 
 @pytest.mark.parametrize(
     ("setting", "value"),
-    [("count", 0), ("drift", 0), ("trust", -1), ("past", 1), ("fresh", 1), ("body_alone", 2)],
+    [
+        ("n_particles", 0),
+        ("process_noise", 0),
+        ("likelihood_exponent", -1),
+        ("velocity_gain", 1),
+        ("birth_probability", 1),
+        ("body_alone", 2),
+    ],
 )
 def test_settings_out_of_range_are_refused(takes, setting, value):
-    with pytest.raises(InputError, match=setting):
+    with pytest.raises(InputError, match=f"{setting} must be"):
         MultipleHypothesisTracker(**{setting: value}).fit(takes)
-
-
-def test_another_frame_rate_is_refused(tracker, unseen):
-    with pytest.raises(InputError, match=r"trained at 15 .* 60"):
-        tracker.track(unseen[0], frames_per_second=60)
 
 
 def test_more_modes_than_there_can_be_are_refused(tracker, unseen):

@@ -28,9 +28,9 @@ def test_averages_poses_that_look_alike(curve):
     assert both.predict(distances) == pytest.approx(np.zeros(poses.shape), abs=1e-6)
 
 
-def test_is_not_trusted_far_from_all_it_knows(curve):
+def test_confidence_is_low_far_from_all_key_poses(curve):
     _, z, poses = curve
     alone = SilhouetteRegressor.fit(squared_distances(z, z[::10]), poses)
-    near, far = alone.trust(np.array([[0.0, 9.0], [40.0, 50.0]]))[:, 0]
+    near, far = alone.confidence(np.array([[0.0, 9.0], [40.0, 50.0]]))[:, 0]
     assert near == pytest.approx(1)
     assert far < 1e-4

@@ -1,4 +1,4 @@
-"""AMASS files: poses of SMPL-H or SMPL-X bodies, whose rest is our skeleton's zero pose."""
+"""AMASS files: poses of SMPL-H or SMPL-X bodies, whose rest is the skeleton's zero pose."""
 
 from __future__ import annotations
 
@@ -7,16 +7,14 @@ import zlib
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation, Slerp
 
 from silpose.core import skeleton
 from silpose.core.errors import InputError
+from silpose.core.types import Array
 
-Array = NDArray[np.float64]
-
-# The first 22 of SMPL's joints, which SMPL-H and SMPL-X share, by ours. The three spine joints
-# together are our chest; toes are left out.
+# The first 22 joints of SMPL-H and SMPL-X, by this project's names. The three spine joints together
+# are the chest; toes are left out.
 _SMPL: tuple[str | None, ...] = (
     "root", "left_hip", "right_hip", "chest", "left_knee", "right_knee", "chest",
     "left_ankle", "right_ankle", "chest", None, None,
@@ -38,7 +36,7 @@ def amass_take(file: Path, frames_per_second: float) -> tuple[Array, Array]:
         An ``.npz`` that holds ``poses`` (F, 156 or 165; axis-angle, radians), ``trans`` (F, 3;
         metres, +Z up) and ``mocap_framerate`` or ``mocap_frame_rate``. Nothing pickled is read.
     frames_per_second : float
-        Of the result; rotations are interpolated on the sphere.
+        Frame rate of the result; rotations are interpolated on the sphere.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""BVH files: read with every defect named, and written."""
+"""BVH files, read with every defect named."""
 
 from __future__ import annotations
 
@@ -11,37 +11,35 @@ from pathlib import Path
 
 import numpy as np
 import pybvh
-from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
+from silpose.core.types import Array
 from silpose.motion.capture.joint_names import Names, match_joints
 from silpose.motion.capture.rest_pose import find_rest
 from silpose.motion.capture.retarget import retarget
 from silpose.motion.capture.source_motion import SourceMotion
 
-Array = NDArray[np.float64]
-
 LARGEST = 1e6
-"""Larger numbers, be they degrees or units of length, are damage."""
+"""Larger numbers, in degrees or units of length, are damage."""
 
 SHORTEST = 1e-6
-"""Of a leg, in the file's unit."""
+"""Shortest leg, in the file's unit."""
 
 SLOWEST, FASTEST = 1.0, 10_000.0
-"""Frames per second between which a file's rate is believed."""
+"""Range of plausible frame rates, frames per second."""
 
 
 def bvh_take(file: Path, frames_per_second: float, names: Names) -> tuple[Array, Array]:
-    """Read a BVH file and put its motion on our skeleton.
+    """Read a BVH file and put its motion on the project's skeleton.
 
     Parameters
     ----------
     file : Path
         With +Y up.
     frames_per_second : float
-        Of the result; rotations are interpolated on the sphere.
+        Frame rate of the result; rotations are interpolated on the sphere.
     names : mapping of str to sequence of str
-        For each of our joints the names it may have.
+        For each joint of the skeleton the names it may have.
 
     Returns
     -------
@@ -49,6 +47,11 @@ def bvh_take(file: Path, frames_per_second: float, names: Names) -> tuple[Array,
         Degrees.
     root_position : ndarray, shape (F, 3)
         Metres.
+
+    Raises
+    ------
+    InputError
+        If the file is damaged, or its skeleton cannot be used.
     """
     bvh = read_bvh(file)
     joints = bvh_joints(bvh, names, str(file))
@@ -64,7 +67,7 @@ def bvh_take(file: Path, frames_per_second: float, names: Names) -> tuple[Array,
 
 
 def bvh_joints(bvh: pybvh.Bvh, names: Names, file: str) -> dict[str, str]:
-    """Find which of a file's joints, or end sites (``NAME/end``), plays which of our roles."""
+    """Match the skeleton's joints to a file's joints, or end sites (``NAME/end``)."""
     joints = match_joints(bvh.joint_names, names, file)
     for side in ("left", "right"):
         hand, wrist = f"{side}_hand", joints[f"{side}_wrist"]
@@ -76,7 +79,7 @@ def bvh_joints(bvh: pybvh.Bvh, names: Names, file: str) -> dict[str, str]:
 
 
 def source_motion(bvh: pybvh.Bvh, joints: Mapping[str, str]) -> SourceMotion:
-    """Forward kinematics of a file's frames, by our joints' names."""
+    """Forward kinematics of a file's frames, by this project's names of joints."""
     _, local = bvh.to_rotmat()
     world: dict[str, Array] = {}
     for j, name in enumerate(bvh.joint_names):
@@ -147,7 +150,7 @@ def read_bvh(file: str | Path) -> pybvh.Bvh:
 
 
 def _check_header(file: Path) -> int:
-    """Judge what pybvh does not tell apart; give the number of the first frame's line."""
+    """Check what pybvh does not report clearly; return the number of the first frame's line."""
     try:
         text = file.read_text(encoding="utf-8", errors="replace")
     except OSError as error:
@@ -183,7 +186,7 @@ def _number(text: str) -> float:
 def _parse(file: Path) -> pybvh.Bvh:
     if file.suffix == ".bvh":
         return pybvh.read_bvh_file(file, world_up="+y")
-    with tempfile.TemporaryDirectory() as folder:  # pybvh insists on a small-letter ending
+    with tempfile.TemporaryDirectory() as folder:  # pybvh accepts lower-case endings only
         copy = Path(folder) / "take.bvh"
         shutil.copyfile(file, copy)
         return pybvh.read_bvh_file(copy, world_up="+y")

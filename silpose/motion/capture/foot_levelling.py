@@ -1,43 +1,44 @@
-"""Flat feet: bring the soles of a retargeted walk level where they carry the person.
+"""Levelling of the feet: soles of a retargeted walk are flat on the ground in mid-stance.
 
-A foot's pitch in a file's T-pose is a convention of its skeleton: soles that should be flat on
-the ground in mid-stance come out pitched by up to seven degrees. The walk itself tells by how much.
+The pitch of a foot in a file's T-pose is a convention of its skeleton, so that soles that should be
+flat are pitched by up to seven degrees. The pitch is estimated from the walk itself.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-Array = NDArray[np.float64]
+from silpose.core.types import Array
 
 STANDING = 0.25
+"""Highest speed of the ankle of a standing foot, metres per second."""
+
 SWINGING = 0.6
-"""Metres per second of the ankles between which a foot carries the body alone."""
+"""Lowest speed of the ankle of a swinging foot, metres per second."""
 
 FEWEST = 3
-"""Frames of such stance, below which a foot is left as it is."""
+"""Fewest frames of mid-stance from which a pitch is estimated."""
 
 LARGEST = 10.0
-"""Degrees; what is more is how the person walks, on tiptoes say."""
+"""Largest pitch that is removed, degrees; above it the person walks so, on tiptoe for example."""
 
 
 def level_sole(foot: Array, ankle: Array, other_ankle: Array, frames_per_second: float) -> Array:
-    """Take out of a foot's orientation its median pitch in mid-stance.
+    """Remove the median pitch in mid-stance from a foot's orientation.
 
     Parameters
     ----------
     foot : ndarray, shape (F, 3, 3)
-        Orientation in the world; the zero orientation has a level sole.
+        Orientation in the world; the sole of the zero orientation is level.
     ankle, other_ankle : ndarray, shape (F, 3)
-        Metres.
+        Positions, metres.
     frames_per_second : float
 
     Returns
     -------
     foot : ndarray, shape (F, 3, 3)
-        Unchanged if the take holds no walking.
+        Unchanged if there is no walking.
     """
     if len(foot) < 2:
         return foot
@@ -48,7 +49,7 @@ def level_sole(foot: Array, ankle: Array, other_ankle: Array, frames_per_second:
     stance = (speed < STANDING) & (other_speed > SWINGING)
     if stance.sum() < FEWEST:
         return foot
-    # Height of the foot's own forward axis: a turn of -pitch about x would raise it so.
+    # Height of the foot's own forward axis: a rotation of -pitch about x would raise it so.
     pitch = np.median(np.arcsin(np.clip(foot[stance, 1, 2], -1.0, 1.0)))
     if abs(pitch) > np.deg2rad(LARGEST):
         return foot

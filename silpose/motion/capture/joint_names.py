@@ -1,4 +1,4 @@
-"""Which of a file's joints plays which of our roles, found by its name."""
+"""Recognition of a file's joints by their names."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ Names = Mapping[str, Sequence[str]]
 OPTIONAL = (
     "chest", "neck", "head", "left_collar", "right_collar", "left_hand", "right_hand",
 )  # fmt: skip
-"""Roles a skeleton may leave out: the joint then moves with its parent."""
+"""Joints that a file may lack: they then move with their parents."""
 
 
 @cache
 def common_names() -> Names:
-    """Read the table ``joint_names.yaml`` beside this file: our joint, and names for it."""
+    """Read the table ``joint_names.yaml`` beside this file: joints of the skeleton, and names."""
     table = Path(__file__).with_name("joint_names.yaml")
     names: dict[str, list[str]] = yaml.safe_load(table.read_text(encoding="utf-8"))
     return names
 
 
 def match_joints(found: Sequence[str], names: Names, file: str) -> dict[str, str]:
-    """Give our joints to a file's.
+    """Match the joints of the skeleton to those of a file.
 
     Parameters
     ----------
     found : sequence of str
-        The file's joints.
+        Names of the file's joints.
     names : mapping of str to sequence of str
-        For each of our joints the names it may have, in order of preference.
+        For each joint of the skeleton the names it may have, in order of preference.
     file : str
         Named in the error.
 
     Returns
     -------
     joints : dict of str to str
-        Our joint to the file's.
+        Joint of the skeleton to joint of the file.
 
     Raises
     ------
@@ -79,5 +79,5 @@ def _common_beginning(words: Sequence[str]) -> str:
 
 
 def _plain(name: str) -> str:
-    """Drop a name space, case, spaces and punctuation."""
+    """Remove a namespace, case, spaces and punctuation."""
     return re.sub(r"[\W_]", "", name.rpartition(":")[2]).lower()

@@ -1,4 +1,4 @@
-"""Poses from a folder of motion capture files."""
+"""Motion from a folder of motion capture files."""
 
 from __future__ import annotations
 
@@ -15,34 +15,44 @@ from silpose.motion.capture.amass import amass_take
 from silpose.motion.capture.bvh import bvh_take
 from silpose.motion.capture.joint_names import Names, common_names
 from silpose.motion.motion import Motion
+from silpose.motion.motion_source import MotionSource
 
 FORMATS = ("bvh", "npz")
 
 
-class MotionFolder:
-    """Takes from every motion capture file in a folder and its subfolders.
+class MotionFolder(MotionSource):
+    r"""Motion capture: every file in a folder and its subfolders is a take.
 
     Parameters
     ----------
     root : str or Path
-        The folder; skeletons of different kinds may lie side by side in it.
-    frames_per_second : float
-        To which the takes are resampled.
-    performer : str
-        Regular expression on a file's path below root, without its ending; its first group names
-        the performer. Where it does not match, the name of the file's folder does.
-    formats : sequence of {"bvh", "npz"}
+        The folder; its files may have different skeletons.
+    frames_per_second : float, default=15.0
+        Frame rate to which takes are resampled.
+    performer : str, default=r"(?:^|/)(\d+)_[^/]*$"
+        Regular expression on a file's path below root, without its ending; its first group is the
+        performer. Where it does not match, the performer is the name of the file's folder.
+    formats : sequence of {"bvh", "npz"}, default=("bvh",)
         Endings of the files to read: BVH with +Y up, AMASS.
-    strict : bool
-        Whether a file that cannot be used is an error. Else it is left out with a warning, and
+    strict : bool, default=False
+        Whether a file that cannot be used is an error. If not, it is left out with a warning, and
         only a folder without any usable file is an error.
-    joints : mapping of str to sequence of str, optional
-        Names that our joints have in BVH files, in place of those in ``conf/joints.yaml``.
+    joints : mapping of str to sequence of str or None, default=None
+        Names of joints in BVH files, such as ``{"left_elbow": ["NAME"]}``, in place of those that
+        are known (``silpose/motion/capture/joint_names.yaml``).
+
+    Raises
+    ------
+    InputError
+        If a parameter cannot be used.
     """
+
+    name = "folder"
 
     def __init__(
         self,
         root: str | Path,
+        *,
         frames_per_second: float = 15.0,
         performer: str = r"(?:^|/)(\d+)_[^/]*$",
         formats: Sequence[str] = ("bvh",),
@@ -65,24 +75,22 @@ class MotionFolder:
                 "performer's name"
             )
         if unknown := [name for name in formats if name not in FORMATS] or not formats:
-            raise InputError(f"motion.formats {unknown} is none of {', '.join(FORMATS)}")
+            raise InputError(f"motion.formats must be some of {', '.join(FORMATS)}, not {unknown}")
         self.root = Path(root)
         self.frames_per_second = float(frames_per_second)
         self.performer = performer
         self.formats = formats
         self.strict = strict
         self.joints = joints or {}
-        if strange := sorted(set(self.joints) - set(common_names())):
+        if extra := sorted(set(self.joints) - set(common_names())):
             raise InputError(
-                f"motion.joints names '{strange[0]}'; our joints are {', '.join(common_names())}"
+                f"motion.joints has no joint '{extra[0]}'; joints are {', '.join(common_names())}"
             )
 
     def files(self) -> list[Path]:
-        """List the files, sorted by name."""
+        """List the files that are read, sorted by name."""
         if not self.root.is_dir():
-            raise InputError(
-                f"{self.root}: no such folder; give the one that holds your motion capture"
-            )
+            raise InputError(f"{self.root}: no such folder; give one that holds motion capture")
         endings = [f".{name}" for name in self.formats]
         files = [f for f in self.root.rglob("*") if f.suffix.lower() in endings and f.is_file()]
         if not files:
@@ -91,7 +99,7 @@ class MotionFolder:
             )
         return sorted(files, key=lambda file: (file.name, file))
 
-    def takes(self) -> list[Motion]:
+    def read(self) -> list[Motion]:
         """Read and retarget all files.
 
         Returns

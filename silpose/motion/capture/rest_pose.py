@@ -1,35 +1,36 @@
-"""A source's rest pose: how each of its joints is turned when our skeleton is in its zero pose.
+"""The rest pose of a source: rotations of its joints where the skeleton is in its zero pose.
 
 With G_j(t) the source joint's rotation in the world, our joint's orientation is T_j(t) = G_j(t) C_j
-with a constant C_j, and this module finds C_j. A file that holds a rest pose, which is a person who
-stands straight with the arms in the frontal plane, says it: C_j = R_jᵀ Q_j F, where R_j is the
-joint's rotation there, F the direction faced, and Q_j the smallest rotation that takes our bone to
-the source's. Else the motion says it, by how the person stands on average and by the axes about
-which knees and elbows bend.
+with a constant C_j, which this module finds. If the file holds a rest pose (a person who stands
+straight with the arms in the frontal plane), C_j = R_jᵀ Q_j F, where R_j is the joint's rotation
+there, F the facing direction, and Q_j the smallest rotation from our bone to the source's. If not,
+C_j is estimated from the motion: from the average posture, and the axes of knees and elbows.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from silpose.core import skeleton
 from silpose.core.errors import InputError
 from silpose.core.skeleton import LIMBS, smallest_rotation
+from silpose.core.types import Array
 from silpose.motion.capture.source_motion import SourceMotion
 
-Array = NDArray[np.float64]
-
-# A first frame is taken for a T-pose only if it cannot be part of the motion; the pose of all-zero
-# rotations is always a rest pose if it is any upright one.
+# A first frame counts as a T-pose only if it cannot be part of the motion; the pose of all-zero
+# rotations is a rest pose whenever it is an upright one.
 ARM_TOLERANCE = 15.0
+"""Largest angle between an arm of a T-pose and the hip line, degrees."""
+
 LEG_TOLERANCE = 10.0
+"""Largest angle between a leg of a T-pose and the vertical, degrees."""
+
 SPREAD_LEGS = 30.0
-"""Degrees."""
+"""Largest angle between a leg of a rest pose and the vertical, degrees."""
 
 BENT = 15.0
-"""Degrees of flexion from which the plane of a limb tells its hinge's axis."""
+"""Smallest flexion at which a limb's plane determines its hinge's axis, degrees."""
 
 # In the zero pose knees bend about the person's left-right axis, elbows about the vertical.
 _HINGES = {"hip": (1.0, 0.0, 0.0), "left_shoulder": (0.0, -1.0, 0.0), "right_shoulder": (0, 1.0, 0)}
@@ -49,16 +50,21 @@ def find_rest(motion: SourceMotion, zero: SourceMotion, file: str) -> tuple[dict
 
     Returns
     -------
-    constants : dict of ndarray, shape (3, 3)
-        By our joint, for those the source has.
+    constants : dict of str to ndarray, shape (3, 3)
+        Constants of the joints that the source has.
     dropped : int
-        How many frames at the beginning are the rest pose and not part of the motion.
+        Number of frames at the beginning that are the rest pose and not part of the motion.
+
+    Raises
+    ------
+    InputError
+        If there is no motion after the rest pose, or the person does not stand upright.
     """
     if _is_ours(zero):
         return {joint: np.eye(3) for joint in zero.rotations}, 0
     if _is_t_pose(motion[:1]):
         if len(motion) == 1:
-            raise InputError(f"{file}: the only frame is the T-pose; a motion must follow it")
+            raise InputError(f"{file}: the only frame is the T-pose; export it with its motion")
         return _from_posture(motion[:1]), 1
     if _is_rest_pose(zero):
         return _from_posture(zero), 0
@@ -66,7 +72,7 @@ def find_rest(motion: SourceMotion, zero: SourceMotion, file: str) -> tuple[dict
 
 
 def _is_ours(zero: SourceMotion) -> bool:
-    """Whether the skeleton is the one this project writes."""
+    """Whether the skeleton is the one that `save_bvh` writes."""
     points, _ = skeleton.forward_kinematics(np.tile(np.eye(3), (1, len(skeleton.JOINTS), 1, 1)))
     wanted = dict(zip(skeleton.POINTS, points[0], strict=True))
     return all(
@@ -122,12 +128,12 @@ def _from_posture(rest: SourceMotion) -> dict[str, Array]:
 
 
 def _from_motion(motion: SourceMotion, file: str) -> dict[str, Array]:
-    """Find the constants without a rest pose: as if torso and head were upright on average."""
+    """Estimate the constants, assuming that torso and head are upright on average."""
     legs = np.concatenate([motion.direction(f"{s}_hip", f"{s}_ankle") for s in ("left", "right")])
     if np.median(legs @ _DOWN) < np.cos(np.deg2rad(45.0)):
         raise InputError(
-            f"{file}: its people do not stand upright along +Y, and it holds no rest pose; export "
-            "it with +Y up"
+            f"{file}: the person does not stand upright along +Y, and there is no rest pose; "
+            "export it with +Y up"
         )
     facing = motion.facing()
     seen = {joint: facing for joint in motion.rotations}
@@ -138,14 +144,14 @@ def _from_motion(motion: SourceMotion, file: str) -> dict[str, Array]:
             seen |= _hinged(motion, facing, f"{side}_{upper}", f"{side}_{lower}", hinge)
     constants = {joint: _constant(motion.rotations[joint], seen[joint]) for joint in seen}
     for side in ("left", "right"):
-        if (wrist := f"{side}_wrist") in constants:  # on average it does not twist the forearm
+        if (wrist := f"{side}_wrist") in constants:  # on average the wrist does not twist
             forearm = motion.rotations[f"{side}_elbow"] @ constants[f"{side}_elbow"]
             constants[wrist] = _constant(motion.rotations[wrist], forearm)
         height = motion.positions[f"{side}_ankle"][:, 1]
         standing = height <= np.quantile(height, 0.25)
         ankle = motion.rotations[f"{side}_ankle"][standing]
         constants[f"{side}_ankle"] = _constant(ankle, facing[standing])
-    for joint, end in LIMBS.items():  # averages are not exact, but the bones shall be
+    for joint, end in LIMBS.items():  # averages are not exact, but bones must be
         if joint in constants and end in motion.positions:
             local = np.einsum("fji,fj->fi", motion.rotations[joint], motion.direction(joint, end))
             bone = constants[joint] @ np.array(skeleton.OFFSETS[end])
@@ -154,7 +160,7 @@ def _from_motion(motion: SourceMotion, file: str) -> dict[str, Array]:
 
 
 def _upright_on_hip_line(motion: SourceMotion) -> Array:
-    """Orientation of the root: x along the hip line, and y as upright as that leaves, (F, 3, 3)."""
+    """Orientation of the root, shape (F, 3, 3): x along the hip line, y as upright as possible."""
     line = motion.direction("right_hip", "left_hip")
     up = -_DOWN - line * (line @ -_DOWN)[:, None]
     up /= np.linalg.norm(up, axis=1, keepdims=True)
@@ -164,10 +170,10 @@ def _upright_on_hip_line(motion: SourceMotion) -> Array:
 def _hinged(
     motion: SourceMotion, facing: Array, upper: str, lower: str, hinge: Array
 ) -> dict[str, Array]:
-    """Orientations of a limb's two bones, NaN but in the quarter of frames in which it bends most.
+    """Orientations of a limb's two bones, known only in the quarter of frames where it bends most.
 
-    There their plane is clearest. A limb that never bends is taken to be swung from the zero pose
-    the shortest way.
+    Their plane is best determined there; other frames are NaN. A limb that never bends is assumed
+    to be rotated from the zero pose the shortest way.
     """
     bones = motion.direction(upper, lower), motion.direction(lower, LIMBS[lower])
     axis = np.cross(bones[0], bones[1])
@@ -186,7 +192,7 @@ def _hinged(
 
 
 def _frame(first: Array, second: Array) -> Array:
-    """Axes along a vector and, as near as that leaves, along a second one, shape (F, 3, 3)."""
+    """Orthonormal axes, shape (F, 3, 3), along one vector and as near as possible to another."""
     first = first / np.linalg.norm(first, axis=-1, keepdims=True)
     second = second - first * np.sum(first * second, axis=-1, keepdims=True)
     second = second / np.maximum(np.linalg.norm(second, axis=-1, keepdims=True), 1e-12)
@@ -194,7 +200,7 @@ def _frame(first: Array, second: Array) -> Array:
 
 
 def _constant(rotations: Array, orientations: Array) -> Array:
-    """Mean over the frames that are known of what turns a joint's rotation into its orientation."""
+    """Mean rotation, over the known frames, from a joint's rotation to its orientation."""
     known = np.isfinite(orientations).all(axis=(1, 2))
     turns = rotations[known].transpose(0, 2, 1) @ orientations[known]
     return Rotation.from_matrix(turns).mean().as_matrix()

@@ -1,30 +1,29 @@
-"""From a source's skeleton to ours, by way of orientations in the world."""
+"""Retargeting: a source's motion on the project's skeleton, by orientations in the world."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
 from silpose.core import skeleton
 from silpose.core.skeleton import LIMBS, local_rotations
+from silpose.core.types import Array
 from silpose.motion.capture.foot_levelling import level_sole
 from silpose.motion.capture.source_motion import SourceMotion
-
-Array = NDArray[np.float64]
 
 
 def retarget(
     motion: SourceMotion, constants: Mapping[str, Array], frames_per_second: float
 ) -> tuple[Array, Array]:
-    """Put a source's motion on our skeleton: every limb points where the source's limb points.
+    """Put a source's motion on the project's skeleton; limbs point where the source's limbs point.
 
     Parameters
     ----------
     motion : SourceMotion
     constants : mapping of str to ndarray, shape (3, 3)
-        From `silpose.motion.capture.rest_pose.find_rest`. A joint without one moves with its parent.
+        Constants of joints, from `silpose.motion.capture.rest_pose.find_rest`. A joint without
+        one moves with its parent.
     frames_per_second : float
 
     Returns
@@ -54,7 +53,7 @@ def retarget(
 
 
 def _scale(motion: SourceMotion) -> float:
-    """Metres per unit of the file: our legs' length over the source's."""
+    """Metres per unit of the file: the skeleton's leg length over the source's."""
     bones = [(start, end) for start, end in LIMBS.items() if start.endswith(("hip", "knee"))]
     theirs = [
         np.linalg.norm(motion.positions[end][0] - motion.positions[start][0])
@@ -65,7 +64,7 @@ def _scale(motion: SourceMotion) -> float:
 
 
 def _root_position(scale: float, motion: SourceMotion, rotations: Array) -> Array:
-    """Place our hips' centre at the source's, and the soles on the ground."""
+    """Position of the root: hips' centre at the source's, and soles on the ground."""
     hips = (motion.positions["left_hip"] + motion.positions["right_hip"]) / 2
     our_hips = np.mean([skeleton.OFFSETS["left_hip"], skeleton.OFFSETS["right_hip"]], axis=0)
     position = scale * hips - rotations[:, 0] @ our_hips

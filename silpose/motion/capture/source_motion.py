@@ -1,4 +1,4 @@
-"""A source's motion by our joints' names, whatever format it came in."""
+"""Motion of a source's skeleton, by this project's names of joints, from any format."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from silpose.core.types import Array
 
 
 @dataclass(frozen=True)
@@ -18,9 +17,9 @@ class SourceMotion:
     Attributes
     ----------
     rotations : mapping of str to ndarray, shape (F, 3, 3)
-        Each joint's rotation in the world.
+        Rotation of each joint in the world.
     positions : mapping of str to ndarray, shape (F, 3)
-        Of joints and hands in the world.
+        Positions of joints and hands in the world.
     """
 
     rotations: Mapping[str, Array]

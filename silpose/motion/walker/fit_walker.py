@@ -1,8 +1,8 @@
 """Fit the statistical walker to folders of BVH walks.
 
-Run ``python -m silpose.motion.walker.fit_walker ROOT [ROOT ...] [--output FILE]``. A folder's takes may
-be of one performer or many; every performer counts the same. A walk counts together with its
-mirror image, so that the mean walker is symmetric.
+Run ``python -m silpose.motion.walker.fit_walker ROOT [ROOT ...] [--output FILE]``. A folder's takes
+may be of one performer or many; every performer has the same weight. Every walk is used together
+with its mirror image, so that the mean walker is symmetric.
 """
 
 from __future__ import annotations
@@ -18,19 +18,18 @@ from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
 from silpose.core.skeleton import ANGLES
+from silpose.core.types import Array
 from silpose.motion.capture.motion_folder import MotionFolder
 from silpose.motion.motion import Motion
-from silpose.motion.walker.gait import Steps, fit_harmonics, mirrored, steady_steps
+from silpose.motion.walker.gait import Steps, fit_harmonics, mirrored_gait, steady_steps
 from silpose.motion.walker.walker import Variation
 from silpose.motion.walker.walker_model import FILE, WalkerModel, pack
 
-Array = NDArray[np.float64]
-
 STRIDES = 4
-"""A stretch is cut into pieces of so many strides: a posture changes with the path's curve."""
+"""Strides of the pieces that a stretch is cut into, as posture changes with the path's curve."""
 
 VARIANCE = 0.95
-"""Share of the variance that the principal components keep."""
+"""Share of the variance that the principal components explain."""
 
 
 def main() -> None:
@@ -52,14 +51,14 @@ def main() -> None:
 
 
 def fit(folders: Iterable[Iterable[Motion]]) -> WalkerModel:
-    """Fit the model to takes, of which only the steady walking counts.
+    """Fit the model to the steady walking in some takes.
 
     Parameters
     ----------
     folders : iterable of iterable of Motion
-        Takes by the folder they come from. How a folder's mean posture differs from another's
-        is for the most part the convention of its skeleton (how collars, elbows and wrists
-        share a hanging arm's rotation), not its people, and does not count as variation.
+        Takes by the folder they come from. Differences between the mean postures of folders are
+        mostly conventions of their skeletons (how collars, elbows and wrists share a hanging
+        arm's rotation) rather than of their people, and do not count as variation.
 
     Returns
     -------
@@ -79,7 +78,7 @@ def fit(folders: Iterable[Iterable[Motion]]) -> WalkerModel:
                 stretches.append(steps)
                 for piece in pieces(steps):
                     mean, harmonics = fit_harmonics(piece)
-                    for walk in ((mean, harmonics), mirrored(mean, harmonics)):
+                    for walk in ((mean, harmonics), mirrored_gait(mean, harmonics)):
                         rows.append(pack(*walk, piece.cadence))
                         groups.append((folder, take.performer))
     if len(rows) < 4:
@@ -97,7 +96,7 @@ def fit(folders: Iterable[Iterable[Motion]]) -> WalkerModel:
 
 
 def _equal_performers(groups: list[tuple[int, str]]) -> Array:
-    """Weights of rows, summing to 1, so that every performer weighs the same."""
+    """Weights of rows, which sum to 1 and are the same in total for every performer."""
     counts = Counter(groups)
     return np.array([1.0 / (len(counts) * counts[group]) for group in groups])
 
@@ -131,7 +130,7 @@ def principal_components(rows: Array, weights: Array) -> tuple[Array, Array]:
     -------
     mean : ndarray, shape (C,)
     components : ndarray, shape (K, C)
-        Each of the length of its standard deviation; they keep `VARIANCE`.
+        Each of the length of its standard deviation; they explain `VARIANCE`.
     """
     mean = weights @ rows
     _, lengths, directions = np.linalg.svd(
@@ -143,7 +142,7 @@ def principal_components(rows: Array, weights: Array) -> tuple[Array, Array]:
 
 
 def measure_variation(stretches: list[Steps]) -> Variation:
-    """How much strides differ from their neighbours, from stretches of three strides or more.
+    """Measure the variation between neighbouring strides, in stretches of three or more.
 
     Parameters
     ----------
@@ -170,7 +169,7 @@ def _stretch_variation(steps: Steps) -> tuple[float, float, Array]:
     fits = [fit_harmonics(single) for single in singles]
     typical = fit_harmonics(steps)[1]
     amplitudes = [np.sum(h * typical) / np.sum(typical**2) for _, h in fits]
-    # Differences of neighbours: a slow change of pace or of the path's curve is no variation.
+    # Differences of neighbours: slow changes of pace or of the path's curve are no variation.
     return (
         float(_neighbour_sd(durations) / durations.mean()),
         float(_neighbour_sd(np.array(amplitudes))),

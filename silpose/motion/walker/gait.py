@@ -1,8 +1,11 @@
-"""Gait analysis: the phase of walking, and harmonics of it fitted to joint angles.
+"""Gait analysis: the phase of walking, and its harmonics fitted to joint angles.
 
-After Troje, "Decomposing biological motion" (Journal of Vision, 2002): a walk is its mean
-posture plus the first two harmonics of the stride. Phase 0 is where the left ankle passes the
-right one on its way forward, and a stride is 2 pi.
+A walk is its mean posture plus the first two harmonics of the stride. At phase 0 the left ankle
+passes the right one on its way forward, and a stride is 2 pi.
+
+References
+----------
+N. F. Troje, "Decomposing biological motion", Journal of Vision 2002.
 """
 
 from __future__ import annotations
@@ -11,19 +14,17 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import butter, sosfiltfilt
 
 from silpose.core import skeleton
+from silpose.core.types import Array
 from silpose.motion.motion import Motion
 
-Array = NDArray[np.float64]
-
 STEP_SECONDS = (0.35, 0.9)
-"""A step, half a stride, that lasts less or more than this is not steady walking."""
+"""Shortest and longest step (half a stride) of steady walking, seconds."""
 
 STEP_LENGTH = 0.25
-"""Metres between the ankles that a step must reach."""
+"""Smallest distance between the ankles that a step must reach, metres."""
 
 
 @dataclass(frozen=True)
@@ -35,9 +36,9 @@ class Steps:
     angles : ndarray, shape (F, 54)
         Degrees, the heading unwrapped.
     phase : ndarray, shape (F,)
-        Radians, growing.
+        Radians, increasing.
     seconds : ndarray, shape (F,)
-        Time from the stretch's start.
+        Time since the start of the stretch.
     """
 
     angles: Array
@@ -46,7 +47,7 @@ class Steps:
 
     @property
     def strides(self) -> float:
-        """How many strides it holds."""
+        """Number of strides."""
         return float(np.ptp(self.phase) / (2 * np.pi))
 
     @property
@@ -55,13 +56,13 @@ class Steps:
         return self.strides / float(np.ptp(self.seconds))
 
     def part(self, first: float, last: float) -> Steps:
-        """Take the frames whose phase lies between two phases, the last one excluded."""
+        """Frames whose phase is between two phases, the last one excluded."""
         inside = (self.phase >= first) & (self.phase < last)
         return Steps(self.angles[inside], self.phase[inside], self.seconds[inside])
 
 
 def ankle_lead(angles: Array) -> Array:
-    """How far the left ankle is before the right one, seen along the heading.
+    """Distance of the left ankle in front of the right one, along the heading.
 
     Parameters
     ----------
@@ -81,7 +82,7 @@ def ankle_lead(angles: Array) -> Array:
 
 
 def steady_steps(motion: Motion) -> list[Steps]:
-    """Cut out of a take the stretches in which the person walks.
+    """Find the stretches of a take in which the person walks.
 
     Parameters
     ----------
@@ -91,7 +92,7 @@ def steady_steps(motion: Motion) -> list[Steps]:
     Returns
     -------
     stretches : list of Steps
-        Each from one passing of the ankles to another, a whole stride at least.
+        Each from one passing of the ankles to another, of at least one stride.
     """
     frames_per_second = motion.frames_per_second
     if len(motion) < frames_per_second:
@@ -118,7 +119,7 @@ def steady_steps(motion: Motion) -> list[Steps]:
 
 
 def _stretch(motion: Motion, passing: Array, forward: bool) -> Steps:
-    """Make phase from the frames, not whole ones, at which the ankles pass each other."""
+    """Interpolate the phase between the frames, as fractions, at which the ankles pass."""
     frames = np.arange(int(np.ceil(passing[0])), int(passing[-1]) + 1)
     marks = np.pi * (np.arange(len(passing)) + (0 if forward else 1))
     angles = motion.angles[frames].copy()
@@ -135,7 +136,7 @@ def harmonics_basis(phase: Array) -> Array:
 
 
 def fit_harmonics(steps: Steps) -> tuple[Array, Array]:
-    """Least squares of the angles on the first two harmonics of the phase.
+    """Fit the first two harmonics of the phase to the angles by least squares.
 
     Parameters
     ----------
@@ -144,10 +145,10 @@ def fit_harmonics(steps: Steps) -> tuple[Array, Array]:
     Returns
     -------
     mean : ndarray, shape (54,)
-        Degrees; 0 for the heading, of which only the oscillation about the direction of
-        travel is wanted: that direction is a parabola of time, fitted together with it.
+        Degrees; 0 for the heading, whose oscillation about the direction of travel alone is
+        kept. That direction is fitted as a parabola of time.
     harmonics : ndarray, shape (2, 2, 54)
-        Degrees, of harmonic, cosine and sine, angle.
+        Degrees; the axes are harmonic, cosine and sine, angle.
     """
     waves = harmonics_basis(steps.phase).reshape(-1, 4)
     ones = np.ones((len(waves), 1))
@@ -161,8 +162,8 @@ def fit_harmonics(steps: Steps) -> tuple[Array, Array]:
     return mean, harmonics.reshape(2, 2, -1)
 
 
-def mirrored(mean: Array, harmonics: Array) -> tuple[Array, Array]:
-    """Swap left and right: the same walk seen in a mirror, half a stride later.
+def mirrored_gait(mean: Array, harmonics: Array) -> tuple[Array, Array]:
+    """Swap left and right: the mirrored walk, half a stride later.
 
     Parameters
     ----------
@@ -171,8 +172,8 @@ def mirrored(mean: Array, harmonics: Array) -> tuple[Array, Array]:
 
     Returns
     -------
-    mean, harmonics : ndarray
-        As given.
+    mean : ndarray, shape (54,)
+    harmonics : ndarray, shape (2, 2, 54)
     """
     partner = [_other_side(name) for name in skeleton.ANGLES]
     sign = np.array([1.0 if name.endswith("_x") else -1.0 for name in skeleton.ANGLES])

@@ -1,6 +1,6 @@
-"""Paths on the ground: where a walker goes and which way it looks, by distance walked.
+"""Paths on the ground: position and direction by the distance walked.
 
-A direction is an azimuth in degrees: 0 looks to +Z, and 90 to +X, which is to the left.
+A direction is an azimuth in degrees: 0 faces +Z, and 90 faces +X, which is to the left.
 """
 
 from __future__ import annotations
@@ -9,11 +9,11 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from silpose.core.types import Array
 
-_STEP = 0.01  # metres, of the integration along a path
+_STEP = 0.01  # metres between points of the integration along a path
 
 
 class Path(ABC):
@@ -21,21 +21,31 @@ class Path(ABC):
 
     @abstractmethod
     def direction(self, distance: ArrayLike) -> Array:
-        """Direction of travel, degrees, shape (F,), unwrapped.
+        """Direction of travel.
 
         Parameters
         ----------
         distance : array-like, shape (F,)
             Metres along the path.
+
+        Returns
+        -------
+        direction : ndarray, shape (F,)
+            Degrees, unwrapped.
         """
 
     def position(self, distance: ArrayLike) -> Array:
-        """Places on the ground, metres, shape (F, 3), of height 0.
+        """Position on the ground.
 
         Parameters
         ----------
         distance : array-like, shape (F,)
             Metres along the path, not negative.
+
+        Returns
+        -------
+        position : ndarray, shape (F, 3)
+            Metres, of height 0.
         """
         distance = np.asarray(distance, dtype=float)
         grid = np.arange(0.0, distance.max(initial=0.0) + 2 * _STEP, _STEP)
@@ -51,8 +61,8 @@ class Straight(Path):
 
     Parameters
     ----------
-    heading : float
-        Degrees.
+    heading : float, default=0.0
+        Direction, degrees.
     """
 
     heading: float = 0.0
@@ -70,13 +80,15 @@ class Spiral(Path):
 
     Parameters
     ----------
-    start_radius, end_radius : float
-        Metres; equal for a circle.
-    turns : float
+    start_radius : float, default=3.0
+        Metres.
+    end_radius : float, default=1.5
+        Metres.
+    turns : float, default=3.0
         Full turns from the first radius to the last.
-    heading : float
+    heading : float, default=0.0
         Direction at the start, degrees.
-    left : bool
+    left : bool, default=True
         Whether it turns left (the direction grows) or right.
     """
 
@@ -110,11 +122,11 @@ class Circle(Path):
 
     Parameters
     ----------
-    radius : float
+    radius : float, default=2.0
         Metres.
-    heading : float
+    heading : float, default=0.0
         Direction at the start, degrees.
-    left : bool
+    left : bool, default=True
         Whether it turns left or right.
     """
 

@@ -1,11 +1,15 @@
-"""A statistical model of walkers after Troje (2002): a new plausible gait from every seed.
+"""A statistical model of walkers, from which plausible gaits are drawn.
 
 It is a Gaussian over the coefficients of real walks (mean posture, two harmonics of the stride,
 cadence) in the space of their principal components. `silpose.motion.walker.fit_walker` fits it.
 
-The file that comes along was fitted to walks of eight people of the CMU database and of one of
+The file ``walker.npz`` was fitted to walks of eight people of the CMU database and of one of
 Seoul National University's Movement Research Laboratory (snumrl/ys2010, Apache-2.0). The CMU data
 was obtained from mocap.cs.cmu.edu; the database was created with funding from NSF EIA-0196217.
+
+References
+----------
+N. F. Troje, "Decomposing biological motion", Journal of Vision 2002.
 """
 
 from __future__ import annotations
@@ -13,16 +17,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from silpose.core import skeleton
+from silpose.core.types import Array
 from silpose.motion.walker.walker import Variation, Walker
 
-Array = NDArray[np.float64]
-
 FILE = Path(__file__).with_name("walker.npz")
+"""The model that comes with silpose."""
 
-_DRAWS = 100  # of a walker, until one is plausible
+_DRAWS = 100  # at most, until a walker is plausible
 
 
 class WalkerModel:
@@ -35,7 +38,7 @@ class WalkerModel:
     components : ndarray, shape (K, C)
         Principal components, each of the length of its standard deviation.
     variation : Variation
-        Given to every walker.
+        Variation between the strides of every walker.
     """
 
     def __init__(self, mean: Array, components: Array, variation: Variation) -> None:
@@ -45,7 +48,7 @@ class WalkerModel:
 
     @classmethod
     def load(cls, file: str | Path = FILE) -> WalkerModel:
-        """Read a model; without a file the one that comes with silpose."""
+        """Read a model, by default the one that comes with silpose."""
         with np.load(file, allow_pickle=False) as stored:
             variation = Variation(
                 float(stored["stride_time"]),
@@ -68,14 +71,15 @@ class WalkerModel:
     def sample(self, rng: np.random.Generator, spread: float = 1.0) -> Walker:
         """Draw a walker, each component within two standard deviations.
 
-        Where people hardly swing their arms, a Gaussian has some swing them in step with the
-        legs: those are drawn again.
+        People hardly swing their arms, so that the Gaussian has some swing them in step with the
+        legs; those are drawn again.
 
         Parameters
         ----------
         rng : numpy.random.Generator
-        spread : float
-            How much walkers differ, as a share of how much people do; 0 gives the mean walker.
+        spread : float, default=1.0
+            Variation between walkers, as a share of the variation between people; 0 gives the
+            mean walker.
 
         Returns
         -------
@@ -92,13 +96,13 @@ class WalkerModel:
 def pack(mean: Array, harmonics: Array, cadence: float) -> Array:
     """Coefficients of a gait in one vector, shape (271,), the cadence in strides per minute.
 
-    By that unit the cadence varies from person to person about as much as an angle does.
+    In that unit the cadence varies between people about as much as an angle in degrees does.
     """
     return np.concatenate([mean, harmonics.ravel(), [60.0 * cadence]])
 
 
 def unpack(coefficients: Array, variation: Variation) -> Walker:
-    """Make a walker of the coefficients; the inverse of `pack`."""
+    """Make a walker from its coefficients; the inverse of `pack`."""
     angles = len(skeleton.ANGLES)
     return Walker(
         coefficients[:angles].copy(),
@@ -109,7 +113,7 @@ def unpack(coefficients: Array, variation: Variation) -> Walker:
 
 
 def _arms_against_legs(walker: Walker) -> bool:
-    """Whether the left wrist is before the right one where the left ankle is behind."""
+    """Whether the left wrist is in front of the right one while the left ankle is behind."""
     phase = np.linspace(0.0, 2 * np.pi, 40, endpoint=False)
     rotations = skeleton.rotations_from_angles(walker.angles(phase))
     points = skeleton.forward_kinematics(rotations)[0]

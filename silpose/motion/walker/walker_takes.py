@@ -1,4 +1,4 @@
-"""The default source of poses: takes of statistical walkers, which need no data."""
+"""The default source of motion: takes of statistical walkers, which need no data."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ import numpy as np
 
 from silpose.core.errors import InputError
 from silpose.motion.motion import Motion
+from silpose.motion.motion_source import MotionSource
 from silpose.motion.walker.paths import Circle, Path, Spiral
 from silpose.motion.walker.walker import Walker
 from silpose.motion.walker.walker_model import WalkerModel
 
-# Name, whether it turns left, share of the training turns, first heading. The spirals and circles
-# make whole turns and the arcs, which are nearly straight walks, one half of a circle each, so
-# that all headings are met about equally.
+# Kind, whether it turns left, share of the training turns, first heading. Spirals and circles make
+# whole turns and arcs, which are nearly straight walks, one half of a circle each, so that all
+# headings are about equally frequent.
 _TRAINING = (
     ("spiral", True, 1.0, 0.0),
     ("spiral", False, 1.0, 90.0),
@@ -25,34 +26,44 @@ _TRAINING = (
 )
 
 
-class WalkerTakes:
-    """Eight training takes, a validation and a test take, each of another walker.
+class WalkerTakes(MotionSource):
+    """Ten takes of statistical walkers: eight of training, one of validation and one of test.
 
-    Training is on decreasing spirals, circles and wide arcs in both directions, validation and
-    test on decreasing spirals, as in the paper (test: 418 frames, 1038 degrees).
+    Each is of another walker. In training, walkers go along decreasing spirals, circles and wide
+    arcs in both directions; in validation and test along decreasing spirals, as in the paper
+    (test: 418 frames, 1038 degrees).
 
     Parameters
     ----------
-    seed : int
-        Of the walkers, their strides and the first headings.
-    seconds : float
-        Of each training take.
-    test_seconds : float
-        Of the validation and of the test take.
-    frames_per_second : float
-    turns : float
-        Of each training spiral and circle; the arcs make a quarter of it.
-    test_turns : float
-        Of the validation and of the test spiral.
-    radius_ratio : float
+    seed : int, default=0
+        Draws the walkers, their strides and the first headings.
+    seconds : float, default=17.0
+        Duration of each training take.
+    test_seconds : float, default=28.0
+        Duration of the validation and of the test take.
+    frames_per_second : float, default=15.0
+        Frames per second of all takes.
+    turns : float, default=2.0
+        Full turns of each training spiral and circle; arcs make a quarter of them.
+    test_turns : float, default=2.9
+        Full turns of the validation and of the test spiral.
+    radius_ratio : float, default=2.0
         First radius of a spiral over its last.
-    spread : float
-        How much the walkers differ, as a share of how much people do; at 0 all are the mean
-        walker, whose strides still vary.
+    spread : float, default=0.5
+        Variation between walkers, as a share of the variation between people; at 0 all are the
+        mean walker, whose strides still vary.
+
+    Raises
+    ------
+    InputError
+        If a parameter is not positive, or takes would have fewer than two frames.
     """
+
+    name = "walker"
 
     def __init__(
         self,
+        *,
         seed: int = 0,
         seconds: float = 17.0,
         test_seconds: float = 28.0,
@@ -70,7 +81,7 @@ class WalkerTakes:
             if not 0 < value < np.inf:
                 raise InputError(f"motion.{name} must be a positive number, not {value}")
         if not 0 <= spread < np.inf:
-            raise InputError(f"motion.spread must be 0 or a positive number, not {spread}")
+            raise InputError(f"motion.spread must be zero or positive, not {spread}")
         if min(seconds, test_seconds) * frames_per_second < 2:
             raise InputError(
                 "motion.seconds times motion.frames_per_second makes fewer than 2 frames a take; "
@@ -85,8 +96,8 @@ class WalkerTakes:
         self.radius_ratio = radius_ratio
         self.spread = spread
 
-    def takes(self) -> list[Motion]:
-        """Let ten walkers walk.
+    def read(self) -> list[Motion]:
+        """Synthesise the takes.
 
         Returns
         -------
@@ -95,7 +106,7 @@ class WalkerTakes:
             performers ``walker_1`` to ``walker_10``.
         """
         model = WalkerModel.load()
-        # Each take has its own stream of numbers: its length does not change the others.
+        # Each take has its own random numbers, so that its length does not change the others.
         streams = [np.random.default_rng([self.seed, k]) for k in range(len(_TRAINING) + 3)]
         first_heading = streams.pop().uniform(0.0, 360.0)
         plans = [
@@ -121,7 +132,7 @@ class WalkerTakes:
     def _path(
         self, kind: str, left: bool, heading: float, turns: float, seconds: float, walker: Walker
     ) -> Path:
-        """Choose the radius by the walker's speed, so that the turns are made in the time."""
+        """Choose the radius by the walker's speed, so that all turns are made in time."""
         radius = walker.speed * seconds / (2 * np.pi * turns)
         if kind != "spiral":
             return Circle(radius, heading, left)

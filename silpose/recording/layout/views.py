@@ -9,10 +9,10 @@ import rerun.blueprint as rrb
 
 from silpose.recording import entity_paths
 
-Window = tuple[float, float, float, float]  # left, right, top, bottom, pixels
+Window = tuple[float, float, float, float]
+"""Left, right, top and bottom of what an image view shows, pixels."""
 
 GROUND = rrb.LineGrid3D(spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80])
-
 
 FROM_THE_SIDE = rrb.EyeControls3D(
     kind=rrb.Eye3DKind.Orbital,
@@ -23,7 +23,7 @@ FROM_THE_SIDE = rrb.EyeControls3D(
 
 
 def from_the_front(away: float) -> rrb.EyeControls3D:
-    """Look at what stands around the origin, so many metres away."""
+    """Eye that looks at the origin from so many metres away."""
     return rrb.EyeControls3D(
         kind=rrb.Eye3DKind.Orbital,
         position=[0.0, 1.2, away],
@@ -32,7 +32,7 @@ def from_the_front(away: float) -> rrb.EyeControls3D:
     )
 
 
-def layout(
+def blueprint(
     columns: Sequence[rrb.Container | rrb.View], shares: Sequence[float], frames_per_second: float
 ) -> rrb.Blueprint:
     """Columns of views above a collapsed timeline."""
@@ -49,7 +49,7 @@ def layout(
 
 
 def hide(part: rrb.Container | rrb.View, origin: str) -> None:
-    """Hide the views of an entity to which nothing is logged: those beside it take its room."""
+    """Hide the views of an entity to which nothing is logged, so that others get their space."""
     if isinstance(part, rrb.Container):
         for inner in part.contents:
             hide(inner, origin)
@@ -57,8 +57,8 @@ def hide(part: rrb.Container | rrb.View, origin: str) -> None:
         part.visible = False
 
 
-def seen_view(window: Window | None) -> rrb.Container:
-    """Show what was seen: mask, codebook, histogram, activations."""
+def estimate_input_view(window: Window | None) -> rrb.Container:
+    """Mask, codebook, histogram and activations; without a window the last two."""
     bars = [
         histogram_view(),
         bars_view(entity_paths.ACTIVATIONS, "regression: activation of each relevance vector"),
@@ -72,19 +72,24 @@ def seen_view(window: Window | None) -> rrb.Container:
 
 
 def histogram_view() -> rrb.BarChartView:
-    """Show bars of a histogram of shape contexts."""
+    """Histogram of shape contexts as bars."""
     return bars_view(entity_paths.HISTOGRAM, "descriptor: % of votes for each centre")
 
 
 def codebook_view() -> rrb.Spatial2DView:
-    """Show the codebook as a picture."""
+    """Image of the codebook."""
     return rrb.Spatial2DView(origin=entity_paths.CODEBOOK, name="codebook, votes as bars")
+
+
+def figure_view() -> rrb.Spatial2DView:
+    """Figure of the experiment."""
+    return rrb.Spatial2DView(origin=entity_paths.FIGURE, name="figure")
 
 
 def mask_view(
     name: str = "mask, edge points by nearest centre", window: Window | None = None
 ) -> rrb.Spatial2DView:
-    """Show a mask and its edge points."""
+    """Mask with its edge points, where there are any."""
     return rrb.Spatial2DView(
         origin=entity_paths.CAMERA,
         contents=[entity_paths.MASK, entity_paths.EDGE_POINTS],
@@ -98,7 +103,7 @@ def mask_view(
 def bodies_view(
     name: str, contents: Sequence[str], eye: rrb.EyeControls3D, origin: str = "/"
 ) -> rrb.Spatial3DView:
-    """Show skeletons on the ground."""
+    """Skeletons on the ground."""
     return rrb.Spatial3DView(
         origin=origin,
         contents=list(contents),
@@ -110,14 +115,14 @@ def bodies_view(
 
 
 def bars_view(entity: str, name: str) -> rrb.BarChartView:
-    """Show a bar chart."""
+    """Bar chart."""
     return rrb.BarChartView(origin=entity, name=name, plot_legend=rrb.PlotLegend(visible=False))
 
 
 def series_view(
     name: str, contents: Sequence[str], span: tuple[float, float] | None = None
 ) -> rrb.TimeSeriesView:
-    """Show numbers over time."""
+    """Numbers over time, the vertical axis of a given span where there is one."""
     return rrb.TimeSeriesView(
         origin="/",
         contents=list(contents),
@@ -127,20 +132,33 @@ def series_view(
     )
 
 
+def errors_view(metric: str, methods: Sequence[str]) -> rrb.TimeSeriesView:
+    """Error of some methods over time."""
+    entities = [entity_paths.below(entity_paths.ERROR, method) for method in methods]
+    return series_view(metric.replace("_", " "), entities)
+
+
+def heading_norm_view() -> rrb.TimeSeriesView:
+    """Heading norm over time."""
+    title = "heading norm: lower for uncertain estimates"
+    return series_view(title, [entity_paths.HEADING_NORM], (0.0, 1.3))
+
+
 def state_view() -> rrb.StateTimelineView:
-    """Show a tracker's state as a lane."""
+    """State of a tracker as a lane."""
     return rrb.StateTimelineView(origin=entity_paths.STATE, name="state of the tracker")
 
 
-def texts_view(reasons: bool = False) -> rrb.Container:
-    """Results and settings in words, and the reasons for a pose between them."""
+def texts_view(examples: bool = False) -> rrb.Container:
+    """Results and settings in words; between them influential examples, where there are any."""
     texts = [
         rrb.TextDocumentView(origin=entity_paths.METRICS, name="results"),
         rrb.TextDocumentView(origin=entity_paths.SETTINGS, name="settings"),
     ]
-    if not reasons:
+    if not examples:
         return rrb.Vertical(*texts, row_shares=[1, 1.3])
-    why = rrb.Spatial2DView(
-        origin=entity_paths.REASONS, name="why this pose? training examples and their weight"
+    influential = rrb.Spatial2DView(
+        origin=entity_paths.INFLUENTIAL_EXAMPLES,
+        name="influential training examples and their weights",
     )
-    return rrb.Vertical(texts[0], why, texts[1], row_shares=[1, 1, 0.6])
+    return rrb.Vertical(texts[0], influential, texts[1], row_shares=[1, 1, 0.6])

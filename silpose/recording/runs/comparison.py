@@ -12,13 +12,15 @@ from rerun.chunk import Chunk
 from silpose.core.errors import InputError
 from silpose.recording import entity_paths, palette
 from silpose.recording.header import Header, results_table
-from silpose.recording.layout import blueprints
+from silpose.recording.layout import comparison_layout
+from silpose.recording.named_settings import typed
 from silpose.recording.read import reader
 from silpose.recording.runs.finished_run import FinishedRun
-from silpose.recording.runs.setting_differences import differing, typed
+from silpose.recording.runs.setting_differences import differing
 from silpose.recording.stream import recording_stream
 
-_SHARED = (entity_paths.FIGURE, entity_paths.SETTINGS, entity_paths.METRICS, entity_paths.SEQUENCE)
+_LEFT_OUT = (entity_paths.FIGURE, entity_paths.SETTINGS, entity_paths.METRICS, entity_paths.TAKE)
+_FRAMES_PER_SECOND = 15.0  # at which the viewer plays
 
 
 def compare(runs: Sequence[FinishedRun], path: Path, method: str | None = None) -> None:
@@ -29,22 +31,29 @@ def compare(runs: Sequence[FinishedRun], path: Path, method: str | None = None) 
     runs : sequence of FinishedRun
         Two or more.
     path : Path
-        Of the ``.rrd`` file.
+        The ``.rrd`` file to write.
     method : str, optional
-        Whose errors are drawn; by default the one that each run shows, or its tracker's.
+        Method whose errors are drawn; by default the one that each run shows.
+
+    Raises
+    ------
+    InputError
+        If the runs cannot be compared, or one has no such method or no recording.
     """
     if len(runs) < 2:
-        raise InputError("a comparison wants two runs or more")
+        raise InputError("a comparison needs at least two runs")
     experiments = sorted({run.experiment for run in runs})
     if len(experiments) > 1:
-        raise InputError(f"only runs of one experiment compare, not of {' and '.join(experiments)}")
+        raise InputError(
+            f"only runs of one experiment can be compared, not of {' and '.join(experiments)}"
+        )
     drawn = {name: method or run.shown for name, run in zip(_names(runs), runs, strict=True)}
-    for (name, what), run in zip(drawn.items(), runs, strict=True):
-        if what not in run.metrics:
+    for (name, shown), run in zip(drawn.items(), runs, strict=True):
+        if shown not in run.metrics:
             known = ", ".join(run.metrics)
-            raise InputError(f"run '{name}' has no method '{what}'; it has {known}")
+            raise InputError(f"run '{name}' has no method '{shown}'; it has {known}")
     title = f"{experiments[0]}: {', '.join(drawn)}"
-    layout = blueprints.comparison(drawn, 15.0, side_by_side=experiments == ["tracking"])
+    layout = comparison_layout(drawn, _FRAMES_PER_SECOND, side_by_side=experiments == ["tracking"])
     header = Header("comparison", title, path, _in_words(drawn, runs))
     sources = [reader(run.recording) for run in runs]  # before anything is written
     with recording_stream(header, layout) as recording:
@@ -52,17 +61,17 @@ def compare(runs: Sequence[FinishedRun], path: Path, method: str | None = None) 
             recording.send_chunks(
                 _below(name, chunk)
                 for chunk in source.stream().filter(content=["/**"])
-                if chunk.entity_path not in _SHARED and not chunk.entity_path.startswith("/__")
+                if chunk.entity_path not in _LEFT_OUT and not chunk.entity_path.startswith("/__")
             )
             recording.log(
-                f"/{name}{entity_paths.ERROR}/{drawn[name]}",
+                f"/{name}{entity_paths.below(entity_paths.ERROR, drawn[name])}",
                 rr.SeriesLines(colors=palette.hue(k, len(runs)), names=f"{name}: {drawn[name]}"),
                 static=True,
             )
 
 
 def _in_words(names: Iterable[str], runs: Sequence[FinishedRun]) -> str:
-    """Say which settings differ, and give each run's results."""
+    """Differences of settings as a table, and each run's results."""
     settings = differing([yaml.safe_load(run.config) or {} for run in runs])
     titles = ["run", *settings[0]]
     rows = [
@@ -85,5 +94,5 @@ def _names(runs: Sequence[FinishedRun]) -> list[str]:
     names = [run.folder.name for run in runs]
     if len(set(names)) < len(names):
         twice = max(names, key=names.count)
-        raise InputError(f"two of the runs are called '{twice}': name runs by recording.name=…")
+        raise InputError(f"two of the runs are called '{twice}': name runs by recording.name=NAME")
     return names

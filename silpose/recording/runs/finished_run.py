@@ -15,69 +15,71 @@ import yaml
 
 from silpose.core.atomic_files import partial
 from silpose.core.errors import InputError
+from silpose.core.types import Array, Metrics
 from silpose.recording.runs.setting_differences import differing
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from silpose.model.pose_model import PoseModel
-    from silpose.recording import Tracks
+    from silpose.model import PoseModel
+    from silpose.recording.read import RecordedPoses
 
 
 @dataclass(frozen=True)
 class FinishedRun:
-    """What `load_run` reads back.
+    """A run that is complete, as `load_run` reads it back.
 
     Attributes
     ----------
     folder : Path
     experiment, dataset : str
     metrics : dict
-        By method, then by name.
+        Headline values by method, then by name.
     seconds : dict
-        By stage.
+        Seconds by stage.
     config : str
-        The run's settings as YAML.
+        Settings of the run as YAML.
+    headline : float or None, default=None
+        What a sweep minimises; None where the experiment chooses nothing.
     """
 
     folder: Path
     experiment: str
     dataset: str
-    metrics: dict[str, dict[str, float]]
+    metrics: Metrics
     seconds: dict[str, float]
     config: str
+    headline: float | None = None
 
     @property
     def model(self) -> PoseModel:
         """The run's fitted model."""
-        from silpose.model.pose_model import PoseModel
+        from silpose.model import load  # loads the whole library
 
-        return PoseModel.load(self.folder / "model.npz")
+        return load(self.folder)
 
     @property
     def recording(self) -> Path:
-        """The file that the Rerun viewer opens; there is none with ``recording=none``."""
+        """Path of the recording; with ``recording=none`` there is no such file."""
         return self.folder / "run.rrd"
 
     @property
-    def poses(self) -> dict[str, NDArray[Any]]:
-        """Pose vectors (F, D) of the sequence that was recorded, by method, and ``true``."""
-        return self._tracks.poses
+    def poses(self) -> dict[str, Array]:
+        """Pose vectors (F, D) of the take that was recorded, by method, and ``true``."""
+        return self._recorded.poses
 
     @property
     def tracks(self) -> Any:
-        """The same as a pandas table, a row per method and frame.
+        """The same poses as a pandas table, a row per method and frame.
 
         Columns are ``time`` (seconds), those of a pose vector by name, and ``error``.
         """
         pandas = _pandas()
-        tracks, shown = self._tracks, self.shown
+        recorded, shown = self._recorded, self.shown
         tables = {}
-        for method, x in tracks.poses.items():
-            table = pandas.DataFrame(x, columns=list(tracks.columns))
-            table.insert(0, "time", tracks.time[: len(x)])
-            nothing = np.full(len(x), np.nan)
-            error = tracks.errors.get(shown if method == "estimated" else method, nothing)
+        for method, x in recorded.poses.items():
+            table = pandas.DataFrame(x, columns=list(recorded.columns))
+            table.insert(0, "time", recorded.time[: len(x)])
+            unknown = np.full(len(x), np.nan)
+            error = recorded.errors.get(shown if method == "estimated" else method, unknown)
             tables[method] = table.assign(error=0.0 if method == "true" else error)
         if not tables:
             raise InputError(f"the recording of '{self.folder}' holds no poses")
@@ -85,21 +87,31 @@ class FinishedRun:
 
     @property
     def shown(self) -> str:
-        """The method whose estimates are drawn: what the settings show, else the last."""
+        """The method whose estimates are drawn: that of the setting ``show``, else the last."""
         for line in self.config.splitlines():
             if line.startswith("show: "):
                 return line.removeprefix("show: ")
         return list(self.metrics)[-1] if self.metrics else ""
 
     @cached_property
-    def _tracks(self) -> Tracks:
-        from silpose.recording import read_tracks
+    def _recorded(self) -> RecordedPoses:
+        from silpose.recording.read import read_recording  # loads Rerun
 
-        return read_tracks(self.recording)
+        return read_recording(self.recording)
 
 
 def load_run(folder: str | Path) -> FinishedRun:
-    """Read a finished run back from its folder."""
+    """Read a finished run back from its folder.
+
+    Raises
+    ------
+    InputError
+        If the folder holds no run, or one that was not finished.
+
+    See Also
+    --------
+    runs_table : All runs below a folder as a table.
+    """
     folder = Path(folder)
     if not (folder / "metrics.json").is_file():
         hint = ""
@@ -116,19 +128,43 @@ def load_run(folder: str | Path) -> FinishedRun:
             content["metrics"],
             content["seconds"],
             config,
+            content.get("headline"),
         )
     except OSError as error:
-        raise InputError(f"'{folder}' holds half a run: there is no '{error.filename}'") from error
+        raise InputError(
+            f"'{folder}' holds an incomplete run: there is no '{error.filename}'"
+        ) from error
     except (ValueError, KeyError) as error:
-        raise InputError(f"'{folder / 'metrics.json'}' is no file of a run") from error
+        raise InputError(
+            f"'{folder / 'metrics.json'}' was not written by a run: run the experiment again"
+        ) from error
 
 
-def runs_table(root: str | Path = "recordings") -> Any:
-    """List all runs below a root, as a pandas table.
+def load_poses(path: str | Path) -> dict[str, Array]:
+    """Read pose vectors back from a recording.
 
     Parameters
     ----------
-    root : path
+    path : path
+        An ``.rrd`` file, or the folder of its run.
+
+    Returns
+    -------
+    poses : dict of str to ndarray, shape (F, D)
+        ``true`` where the ground truth is known; ``estimated``, or each method that was drawn.
+    """
+    from silpose.recording.read import read_poses  # loads Rerun
+
+    path = Path(path)
+    return read_poses(path / "run.rrd" if path.is_dir() else path)
+
+
+def runs_table(root: str | Path = "recordings") -> Any:
+    """List all runs below a folder, as a pandas table.
+
+    Parameters
+    ----------
+    root : path, default="recordings"
 
     Returns
     -------

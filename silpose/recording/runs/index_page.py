@@ -1,4 +1,4 @@
-"""The page that lists a folder's runs, each with its figure, its headlines and its recording."""
+"""A page that lists a folder's runs, each with its figure, headlines and recording."""
 
 from __future__ import annotations
 
@@ -25,15 +25,19 @@ img { height: 5em; border-radius: 4px; display: block; }
 """
 
 
-def page(root: Path, viewed: Callable[[str], str]) -> str:
-    """Write the page, the latest run first.
+def index_page(root: Path, viewed: Callable[[str], str]) -> str:
+    """Write the page as HTML, the latest run first.
 
     Parameters
     ----------
     root : Path
-        All runs below it are listed.
+        Folder whose runs are listed, at any depth.
     viewed : callable
         From a recording's path below the root to the address that shows it.
+
+    Returns
+    -------
+    page : str
     """
     finished, others = _runs(root)
     experiments = sorted({run.experiment for run in finished})
@@ -54,7 +58,7 @@ def page(root: Path, viewed: Callable[[str], str]) -> str:
 
 
 def _runs(root: Path) -> tuple[list[FinishedRun], list[Path]]:
-    """Find finished runs, the latest first, and folders of runs that were cut off."""
+    """Finished runs, the latest first, and folders of runs that were cut off."""
     finished, others = [], []
     for file in root.rglob("metrics.json"):
         try:
@@ -67,9 +71,9 @@ def _runs(root: Path) -> tuple[list[FinishedRun], list[Path]]:
 
 
 def _table(runs: Sequence[FinishedRun], root: Path, viewed: Callable[[str], str]) -> str:
-    """Write one row a run: the headlines of the method that it shows, above the mean pose's."""
-    told = {f"{k} {m}": own for k, run in enumerate(runs) for m, own in _shown(run).items()}
-    titles, values = headlines(told)
+    """One row a run: headlines of the method that it shows, above those of the mean pose."""
+    results = {f"{k} {m}": own for k, run in enumerate(runs) for m, own in _shown(run).items()}
+    titles, values = headlines(results)
     by_name = {row[0]: row[1:] for row in values}
     head = "".join(f'<th class="word">{word}</th>' for word in ("", "run", "data", "method"))
     head += "".join(f"<th>{escape(title)}</th>" for title in titles[1:])

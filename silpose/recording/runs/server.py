@@ -1,4 +1,4 @@
-"""A folder of runs in the browser, on this machine and nowhere else."""
+"""Serving a folder of runs to a browser on this machine only."""
 
 from __future__ import annotations
 
@@ -12,16 +12,31 @@ from pathlib import Path
 from typing import Any
 
 from silpose.core.errors import InputError
-from silpose.recording.runs.index_page import page
+from silpose.recording.runs.index_page import index_page
 from silpose.recording.viewer.process import HOST, free_port, start, viewing
 
 
 @contextmanager
-def served(folder: str | Path, port: int = 9090) -> Iterator[str]:
-    """Serve the recordings of a folder while the context lasts; give the page's address.
+def served(folder: str | Path, port: int) -> Iterator[str]:
+    """Serve the runs of a folder while the context lasts.
 
-    Two servers: ours for the page and the files, and Rerun's own for the viewer, which fetches a
-    recording from ours.
+    Two servers run: ours for the page and the files, and Rerun's own for the viewer, which fetches
+    a recording from ours.
+
+    Parameters
+    ----------
+    folder : path
+    port : int
+
+    Yields
+    ------
+    address : str
+        Address of the page.
+
+    Raises
+    ------
+    InputError
+        If there is no such folder, or the port is in use.
     """
     root = Path(folder)
     if not root.is_dir():
@@ -48,10 +63,16 @@ def served(folder: str | Path, port: int = 9090) -> Iterator[str]:
 
 
 def serve(folder: str | Path, port: int = 9090) -> None:
-    """Serve the recordings of a folder until Ctrl-C."""
+    """Serve the runs of a folder to a browser on this machine until Ctrl-C.
+
+    Parameters
+    ----------
+    folder : path
+    port : int, default=9090
+    """
     with served(folder, port) as address:
         print(f"Runs of '{folder}':  {address}   (Ctrl-C ends it)", flush=True)
-        signal.signal(signal.SIGTERM, signal.default_int_handler)  # whoever asks, ends it well
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # like Ctrl-C
         try:
             threading.Event().wait()
         except KeyboardInterrupt:
@@ -59,21 +80,21 @@ def serve(folder: str | Path, port: int = 9090) -> None:
 
 
 class _Files(SimpleHTTPRequestHandler):
-    """The page of runs at ``/``, and the files of the runs below it."""
+    """Answers with the page of runs at ``/``, and with the files of the runs below it."""
 
     def __init__(self, *given: Any, root: Path, origin: str) -> None:
         self._root, self._origin = root, origin
         super().__init__(*given, directory=str(root))
 
     def do_GET(self) -> None:
-        """Answer the page, or a file, and only to who asks for this machine by its own name."""
+        """Send the page or a file, but only to who asks for this machine by its own name."""
         here = f"{HOST}:{self.connection.getsockname()[1]}"
         if self.headers.get("Host") not in (here, here.replace(HOST, "localhost")):
             self.send_error(403)
         elif self.path != "/":
             super().do_GET()
         else:
-            content = page(
+            content = index_page(
                 self._root, lambda path: viewing(self._origin, f"http://{here}/{path}")
             ).encode()
             self.send_response(200)
@@ -88,8 +109,8 @@ class _Files(SimpleHTTPRequestHandler):
         super().end_headers()
 
     def list_directory(self, path: Any) -> None:
-        """Show no folders: the page lists the runs."""
+        """Refuse to list folders: the page lists the runs."""
         self.send_error(404)
 
     def log_message(self, format: str, *arguments: object) -> None:
-        """Keep quiet."""
+        """Print nothing."""

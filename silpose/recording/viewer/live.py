@@ -1,9 +1,7 @@
-"""Viewers that show a run while it is logged: on the screen, or in a browser."""
+"""Viewers that show a run while it is recorded: on the screen, or in a browser."""
 
 from __future__ import annotations
 
-import os
-import sys
 import warnings
 
 import rerun as rr
@@ -12,16 +10,26 @@ import rerun.blueprint as rrb
 from silpose.core.errors import InputError
 from silpose.recording.header import Header
 from silpose.recording.sinks import Sinks
-from silpose.recording.viewer.process import HOST, go_on_serving, listening, serving, start, viewing
+from silpose.recording.viewer.process import (
+    HOST,
+    go_on_serving,
+    has_screen,
+    listening,
+    serving,
+    start,
+    viewing,
+)
 
 _ANSWER = 5.0  # seconds that a viewer may take to answer
-_SETTLE = 1.5  # seconds after which a viewer has found its screen
+_SETTLE = 1.5  # seconds until a viewer has found its screen, or failed to
 
 
 def connect(
     recording: rr.RecordingStream, header: Header, layout: rrb.Blueprint
 ) -> list[rr.GrpcSink]:
-    """Open the live sinks; one that cannot be had is one warning, and the file remains."""
+    """Open the live sinks; one that cannot be opened is one warning, and the file remains."""
+    if header.sinks is None:
+        return []
     answering = []
     for kind, opened in (("viewer", _viewer), ("web", _web)):
         if kind in header.sinks.kinds:
@@ -30,15 +38,15 @@ def connect(
                 _lay_out(recording, layout, url)
                 answering.append(rr.GrpcSink(url))
             except InputError as error:
-                warnings.warn(f"no {kind}: {error}; '{header.file}' holds all", stacklevel=2)
+                warnings.warn(f"no {kind}: {error}; '{header.file}' is complete", stacklevel=2)
     return answering
 
 
 def _viewer(sinks: Sinks) -> int:
-    """Find a viewer that is open, or open one, which stays when the run is done."""
+    """Port of a viewer that is open, or of a new one, which stays when the run is done."""
     port = sinks.viewer_port
     if not listening(port):
-        if sys.platform == "linux" and not {"DISPLAY", "WAYLAND_DISPLAY"} & set(os.environ):
+        if not has_screen():
             raise InputError("there is no screen here (recording=web shows runs in a browser)")
         start(
             *("--expect-data-soon", "--hide-welcome-screen"),
@@ -51,7 +59,7 @@ def _viewer(sinks: Sinks) -> int:
 
 
 def _web(sinks: Sinks) -> int:
-    """Serve a page that shows what arrives, unless an earlier run does already."""
+    """Port of the data of a page that shows what arrives; an earlier run may serve it already."""
     port, data = sinks.web_port, sinks.web_port + 1
     page = viewing(f"http://{HOST}:{port}", f"rerun+http://{HOST}:{data}/proxy")
     if page not in serving():
@@ -64,7 +72,7 @@ def _web(sinks: Sinks) -> int:
 
 
 def _lay_out(recording: rr.RecordingStream, layout: rrb.Blueprint, url: str) -> None:
-    """Lay the viewer out before anything is in it, and make sure that it is one that answers."""
+    """Send the layout before any data, which also shows whether a viewer answers."""
     try:
         recording.set_sinks(rr.GrpcSink(url))
         recording.send_blueprint(layout)
@@ -72,5 +80,5 @@ def _lay_out(recording: rr.RecordingStream, layout: rrb.Blueprint, url: str) -> 
     except RuntimeError as error:
         port = url.split(":")[2].split("/")[0]
         raise InputError(
-            f"what listens on port {port} is none: choose another recording.viewer_port"
+            f"the process on port {port} is no Rerun viewer: choose another recording.viewer_port"
         ) from error

@@ -17,9 +17,18 @@ def show(recording: str | Path, height: int = 720) -> Any:
     Parameters
     ----------
     recording : path
-        Of an ``.rrd`` file.
-    height : int
+        An ``.rrd`` file.
+    height : int, default=720
         Pixels; the width is the cell's.
+
+    Returns
+    -------
+    viewer : rerun_notebook.Viewer
+
+    Raises
+    ------
+    InputError
+        If there is no such recording, or the viewer for notebooks is not installed.
     """
     path = Path(recording)
     if not path.is_file():
@@ -28,7 +37,7 @@ def show(recording: str | Path, height: int = 720) -> Any:
     # "inline" adds 23 MB to the saved notebook.
     os.environ.setdefault("RERUN_NOTEBOOK_ASSET", "serve-local")
     try:
-        with redirect_stdout(StringIO()):  # which says in three lines where the viewer comes from
+        with redirect_stdout(StringIO()):  # three lines on where the viewer comes from
             from rerun_notebook import Viewer
     except ModuleNotFoundError as error:
         raise InputError(

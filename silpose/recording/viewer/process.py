@@ -10,6 +10,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 from contextlib import suppress
@@ -18,14 +19,15 @@ from urllib.parse import quote
 
 from silpose.core.errors import InputError
 
-HOST = "127.0.0.1"  # no other machine is to see what is on this one
+HOST = "127.0.0.1"  # so that no other machine sees what is on this one
 _PATIENCE = 30.0  # seconds
+_QUIET = {"RUST_LOG": "error", "RERUN_ANALYTICS": "off"}
 
 _servers: dict[str, subprocess.Popen[bytes]] = {}  # by the page that they show
 
 
 def program() -> str:
-    """Find the program that came with the package, or is on the path."""
+    """Path of the program that came with the package, or is on the path."""
     found = importlib.util.find_spec("rerun_cli")
     folder = Path(str(found.origin)).parent if found else Path()
     inside = ("Rerun.app/Contents/MacOS/Rerun", "rerun", "rerun.exe")
@@ -48,26 +50,30 @@ def start(
     port : int
     remedy : str
         What to do if the port is in use.
-    settle : float
-        Seconds that it must live on: a viewer finds out late that it has no screen.
-    detach : bool
+    settle : float, default=0
+        Seconds that it must live on: a viewer fails late where it has no screen.
+    detach : bool, default=False
         Whether it goes on when this process ends.
+
+    Returns
+    -------
+    process : subprocess.Popen
+
+    Raises
+    ------
+    InputError
+        If the port is in use, or the program does not start.
     """
     if listening(port):
         raise InputError(f"port {port} is in use: {remedy}")
     command = [program(), *arguments, "--bind", HOST, "--port", str(port)]
-    with tempfile.TemporaryFile() as said:
+    with tempfile.TemporaryFile() as errors:
         process = subprocess.Popen(
             command,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
-            stderr=said,
-            env={
-                **os.environ,
-                "RUST_LOG": "error",
-                "RERUN_ANALYTICS": "off",
-                "RERUN_APP_ONLY": "true",
-            },
+            stderr=errors,
+            env=os.environ | _QUIET | {"RERUN_APP_ONLY": "true"},
             start_new_session=detach,
         )
         deadline = time.monotonic() + _PATIENCE
@@ -75,15 +81,54 @@ def start(
         while settled is None or time.monotonic() < settled:
             if process.poll() is not None or time.monotonic() > deadline:
                 process.kill()
-                said.seek(0)
-                words = said.read().decode(errors="replace").strip().splitlines()
+                errors.seek(0)
+                words = errors.read().decode(errors="replace").strip().splitlines()
                 reason = next((line for line in words if "Error" in line), " ".join(words[-1:]))
-                reason = re.sub(r"(os error )?at \S+\.rs:\d+: ", "", reason)  # of no use here
-                raise InputError(f"Rerun does not start here: {reason or 'it says nothing'}")
+                # Without the place in its source.
+                reason = re.sub(r"(os error )?at \S+\.rs:\d+: ", "", reason)
+                raise InputError(f"Rerun does not start here: {reason or 'it gives no reason'}")
             if settled is None and listening(port):
                 settled = time.monotonic() + settle
             time.sleep(0.02)
     return process
+
+
+def open_recording(file: str | Path) -> bool:
+    """Open a recording in the viewer, which stays when this process ends.
+
+    Parameters
+    ----------
+    file : path
+        An ``.rrd`` file.
+
+    Returns
+    -------
+    opened : bool
+        False where there is no screen.
+
+    Raises
+    ------
+    InputError
+        If there is no such recording, or no viewer is installed.
+    """
+    if not Path(file).is_file():
+        raise InputError(f"there is no recording '{file}'")
+    if not has_screen():
+        return False
+    subprocess.Popen(
+        [program(), str(file)],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env=os.environ | _QUIET,
+        start_new_session=True,
+    )
+    return True
+
+
+def has_screen() -> bool:
+    """Whether a viewer's window can be shown here."""
+    return sys.platform != "linux" or bool({"DISPLAY", "WAYLAND_DISPLAY"} & set(os.environ))
 
 
 def viewing(viewer: str, data: str) -> str:
@@ -92,7 +137,7 @@ def viewing(viewer: str, data: str) -> str:
 
 
 def free_port() -> int:
-    """Find a port that is free now."""
+    """Port that is free now."""
     with socket.socket() as probe:
         probe.bind((HOST, 0))
         port: int = probe.getsockname()[1]
@@ -100,26 +145,26 @@ def free_port() -> int:
 
 
 def listening(port: int) -> bool:
-    """Tell whether something listens on a port of this machine."""
+    """Whether something listens on a port of this machine."""
     with socket.socket() as probe:
         probe.settimeout(1.0)
         return probe.connect_ex((HOST, port)) == 0
 
 
 def go_on_serving(page: str, process: subprocess.Popen[bytes]) -> None:
-    """Keep a server that shows a page until this process ends."""
+    """Keep a server that shows a page running until this process ends."""
     _servers[page] = process
 
 
 def serving() -> list[str]:
-    """Addresses of the pages that this process shows."""
+    """Addresses of the pages that this process serves."""
     return [page for page, process in _servers.items() if process.poll() is None]
 
 
 def wait() -> None:
-    """Go on until Ctrl-C, or until the servers are gone."""
+    """Wait for Ctrl-C, or until the servers have ended; then stop them."""
     if _servers:
-        signal.signal(signal.SIGTERM, signal.default_int_handler)  # whoever asks, ends it well
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # like Ctrl-C
     with suppress(KeyboardInterrupt):
         for process in _servers.values():
             process.wait()
@@ -127,7 +172,7 @@ def wait() -> None:
 
 
 def stop() -> None:
-    """End the servers."""
+    """Stop the servers."""
     while _servers:
         _, process = _servers.popitem()
         process.terminate()

@@ -1,4 +1,4 @@
-"""Pictures of a recording, as the viewer paints it, without a screen."""
+"""Pictures of a recording as the viewer draws it, without a screen."""
 
 from __future__ import annotations
 
@@ -20,26 +20,35 @@ from silpose.core.errors import InputError
 from silpose.recording.read import reader
 from silpose.recording.viewer.process import HOST, free_port, start
 
-_PAINTED = 0.5  # seconds until a first picture is complete
-_SETTLE = 0.3  # seconds after which a viewer has found its driver
+_DRAWN = 0.5  # seconds until a first picture is complete
+_SETTLE = 0.3  # seconds until a viewer has found its driver, or failed to
 
 
 def picture(
     recording: str | Path, frame: int, path: str | Path, view: str | None = None, width: int = 1600
 ) -> None:
-    """Write what the viewer shows of a frame, as PNG.
+    """Write a picture of the viewer at one frame, as PNG.
 
     Parameters
     ----------
     recording : path
-        Of an ``.rrd`` file.
+        An ``.rrd`` file.
     frame : int
     path : path
-        Of the PNG.
+        The PNG.
     view : str, optional
-        Beginning of the title of one view; without, the whole window.
-    width : int
+        Beginning of the title of one view; by default the whole window.
+    width : int, default=1600
         Pixels.
+
+    Raises
+    ------
+    InputError
+        If the recording cannot be read, no view has that title, or there is no Vulkan driver.
+
+    See Also
+    --------
+    film : Several frames as GIF or MP4.
     """
     with writing(Path(path)) as aside, _shots(recording, view, width) as shoot:
         aside.write_bytes(shoot(frame))
@@ -53,7 +62,7 @@ def film(
     width: int = 900,
     frames_per_second: float = 15.0,
 ) -> None:
-    """Write a stretch of frames as an animated GIF or as MP4, by the path's ending.
+    """Write a film of several frames, as an animated GIF or as MP4.
 
     Parameters
     ----------
@@ -61,13 +70,20 @@ def film(
     frames : sequence of int
     path : path
         Ends in ``.gif`` or ``.mp4``.
-    view, width
-        As for `picture`.
-    frames_per_second : float
+    view : str, optional
+        Beginning of the title of one view; by default the whole window.
+    width : int, default=900
+        Pixels.
+    frames_per_second : float, default=15
+
+    Raises
+    ------
+    InputError
+        As `picture`, and if there is no frame or the path has another ending.
     """
     path, frames = Path(path), list(frames)
     if not frames:
-        raise InputError("a film wants one frame or more")
+        raise InputError("a film needs at least one frame")
     if path.suffix not in (".gif", ".mp4"):
         raise InputError(f"'{path}' must end in .gif or .mp4")
     write = _write_mp4 if path.suffix == ".mp4" else _write_gif
@@ -101,23 +117,23 @@ def _write_gif(path: Path, images: Sequence[NDArray[Any]], frames_per_second: fl
 @contextmanager
 def opened(recording: str | Path) -> Iterator[ViewerClient]:
     """Open a recording in a viewer without a window, while the context lasts."""
-    reader(recording)  # says what is wrong with it
+    reader(recording)  # raises what is wrong with it
     os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
     port = free_port()
     try:
-        # Expecting data, it does not paint over them that it listens.
+        # Without --expect-data-soon a note that the viewer listens covers the views.
         process = start(
             *("--headless", "--expect-data-soon"), port=port, remedy="try again", settle=_SETTLE
         )
     except InputError as error:
         raise InputError(
-            f"{error}; to paint, it wants a Vulkan driver (Debian: mesa-vulkan-drivers)"
+            f"{error}; it needs a Vulkan driver (Debian: mesa-vulkan-drivers)"
         ) from error
     try:
         viewer = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
         viewer.open(str(Path(recording).absolute()))
         viewer.take_screenshot()  # waits until everything is loaded
-        time.sleep(_PAINTED)
+        time.sleep(_DRAWN)
         yield viewer
     finally:
         process.terminate()
@@ -126,7 +142,7 @@ def opened(recording: str | Path) -> Iterator[ViewerClient]:
 
 @contextmanager
 def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]:
-    """Give a function from a frame to a PNG."""
+    """Open a viewer and yield a function from a frame to a PNG."""
     with opened(recording) as viewer:
         options: dict[str, Any] = {"max_size": width}
         if view is not None:

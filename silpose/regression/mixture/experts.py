@@ -12,25 +12,26 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import logsumexp
 
+from silpose.core.types import Array, Indices
 from silpose.regression.normal_equations import solve_damped
 
-Array = NDArray[np.float64]
-
-_STRENGTH = 5.0  # examples that the typical variances are worth
+_STRENGTH = 5.0  # examples that the typical variances count as
 _IGNORED = 1e-6  # responsibility below which an example is left out of a component
 _ROUNDED_OFF = 40.0  # difference of logs beyond which the smaller adds nothing to the larger
 
 
 @dataclass(frozen=True)
 class Prior:
-    """What a component is believed to be before it has seen examples.
+    """Prior of every component's variances and slopes.
 
     Attributes
     ----------
     strength : float
-        How many examples the typical variances are worth.
-    spread, noise : ndarray, shapes (d,) and (D,)
-        Typical S_k and Λ_k.
+        Number of examples that the typical variances count as.
+    spread : ndarray, shape (d,)
+        Typical diagonal of S_k.
+    noise : ndarray, shape (D,)
+        Typical diagonal of Λ_k.
     damping : float
         λ of λ ‖A_k‖² / Λ_k.
     floor : float
@@ -45,9 +46,18 @@ class Prior:
 
     @classmethod
     def typical(
-        cls, inputs: Array, poses: Array, labels: NDArray[np.intp], damping: float, floor: float
+        cls, inputs: Array, poses: Array, labels: Indices, damping: float, floor: float
     ) -> Prior:
-        """Take the variances within clusters ``labels (n,)``, from which EM starts."""
+        """Estimate typical variances within the clusters that EM starts from.
+
+        Parameters
+        ----------
+        inputs, poses : ndarray, shapes (n, d) and (n, D)
+        labels : ndarray of int, shape (n,)
+            Cluster of each example.
+        damping, floor : float
+            Attributes of the prior.
+        """
         size = np.bincount(labels)[:, None]
         spread, noise = np.zeros(inputs.shape[1]), np.zeros(poses.shape[1])
         for values, variance in ((inputs, spread), (poses, noise)):
@@ -60,7 +70,7 @@ class Prior:
 
 @dataclass(frozen=True)
 class Experts:
-    """All components.
+    """Parameters of all components.
 
     Attributes
     ----------
@@ -83,9 +93,16 @@ class Experts:
 
     @classmethod
     def fit(cls, inputs: Array, poses: Array, shares: Array, prior: Prior) -> Experts:
-        """Maximise, given how examples share in components ``(n, K)``: the M-step.
+        """Maximise the penalised likelihood given the responsibilities: the M-step.
 
         Each regressor is ridge regression with examples weighted by responsibility.
+
+        Parameters
+        ----------
+        inputs, poses : ndarray, shapes (n, d) and (n, D)
+        shares : ndarray, shape (n, K)
+            Responsibility of each component for each example.
+        prior : Prior
         """
         size = shares.sum(axis=0)
         centres = (shares.T @ inputs) / size[:, None]
@@ -99,9 +116,9 @@ class Experts:
             misfit = (weight * (pose - offset - centred @ slope) ** 2).sum(axis=0)
             misfit += prior.damping * (slope**2).sum(axis=0)
             scatter = (weight * centred**2).sum(axis=0)
-            worth = count + prior.strength
-            spreads.append((scatter + prior.strength * prior.spread) / worth)
-            noise = (misfit + prior.strength * prior.noise) / worth
+            total = count + prior.strength
+            spreads.append((scatter + prior.strength * prior.spread) / total)
+            noise = (misfit + prior.strength * prior.noise) / total
             noises.append(np.maximum(noise, prior.floor**2))
             slopes.append(slope)
             offsets.append(offset)
@@ -115,7 +132,7 @@ class Experts:
         squared += (self.centres**2 * precision + np.log(2 * np.pi * self.spreads)).sum(axis=1)
         return self.log_shares - 0.5 * squared / temperature
 
-    def means(self, inputs: Array, which: NDArray[np.intp]) -> Array:
+    def means(self, inputs: Array, which: Indices) -> Array:
         """x̄_k = b_k + (ψ - μ_k) A_k of components `which`, shape (n, K', D)."""
         means = np.empty((len(inputs), len(which), self.offsets.shape[1]))
         for place, k in enumerate(which):
@@ -128,7 +145,7 @@ class Experts:
         return -0.5 * np.log(2 * np.pi * self.noises).sum(axis=1)
 
     def log_densities(self, inputs: Array, poses: Array, where: NDArray[np.bool_]) -> Array:
-        """Log N(x; x̄_k, Λ_k), shape (n, K), of the pairs of `where (n, K)`; of others -inf."""
+        """Log N(x; x̄_k, Λ_k) where ``where (n, K)`` is true, -inf elsewhere, shape (n, K)."""
         densities, peaks = np.full(where.shape, -np.inf), self.log_peaks
         for k, (slope, noise) in enumerate(zip(self.slopes, self.noises, strict=True)):
             rows = np.flatnonzero(where[:, k])
@@ -137,9 +154,9 @@ class Experts:
         return densities
 
     def _log_joint(self, inputs: Array, poses: Array) -> Array:
-        """Log π_k N(ψ) N(x), shape (n, K); -inf where that is nothing beside another component.
+        """Log π_k N(ψ) N(x), shape (n, K); -inf where that is negligible beside the largest.
 
-        Most are: even at their peak they could not reach what a likely component is known to give.
+        That holds for most components: even their peak lies below the density of a likely one.
         """
         gates = self.log_gates(inputs)
         highest = gates + self.log_peaks
@@ -148,13 +165,21 @@ class Experts:
         return gates + self.log_densities(inputs, poses, highest > known - _ROUNDED_OFF)
 
     def responsibilities(self, inputs: Array, poses: Array, prior: Prior) -> tuple[Array, float]:
-        """Share of each component in each example (n, K), and what EM maximises: the E-step."""
+        """Compute the responsibilities: the E-step.
+
+        Returns
+        -------
+        shares : ndarray, shape (n, K)
+            Responsibility of each component for each example.
+        objective : float
+            Penalised log-likelihood per example, which EM maximises.
+        """
         joint = self._log_joint(inputs, poses)
         total = logsumexp(joint, axis=1, keepdims=True)
         return np.exp(joint - total), float(total.sum() - self._penalty(prior)) / len(inputs)
 
     def _penalty(self, prior: Prior) -> float:
-        """Minus the log of the prior density, but for a constant."""
+        """Minus the log of the prior density, up to a constant."""
         steep = (self.slopes**2).sum(axis=1) / self.noises
         width = np.log(self.spreads) + prior.spread / self.spreads
         noise = np.log(self.noises) + prior.noise / self.noises
@@ -165,13 +190,26 @@ class Experts:
 def expectation_maximisation(
     inputs: Array,
     poses: Array,
-    labels: NDArray[np.intp],
+    labels: Indices,
     prior: Prior,
-    starved: float,
+    smallest: float,
     max_iter: int,
     tol: float,
 ) -> tuple[Experts, list[float], list[int]]:
-    """Fit components that start as the clusters ``labels (n,)``.
+    """Fit components that start as clusters.
+
+    Parameters
+    ----------
+    inputs, poses : ndarray, shapes (n, d) and (n, D)
+    labels : ndarray of int, shape (n,)
+        Cluster of each example.
+    prior : Prior
+    smallest : float
+        Components with fewer examples, as a sum of responsibilities, are pruned.
+    max_iter : int
+        Largest number of rounds.
+    tol : float
+        Converged once a round adds less than this to the objective, and none is to be pruned.
 
     Returns
     -------
@@ -179,8 +217,7 @@ def expectation_maximisation(
     objective : list of float
         Penalised log-likelihood per example, before each round.
     pruned : list of int
-        Rounds before which components of less than `starved` examples were taken out: only
-        there may the objective fall.
+        Rounds before which components were pruned; only there may the objective fall.
     """
     shares = np.eye(labels.max() + 1)[labels]
     objective: list[float] = []
@@ -191,13 +228,13 @@ def expectation_maximisation(
         settled = len(objective) > 0 and abs(reached - objective[-1]) < tol
         objective.append(reached)
         size = shares.sum(axis=0)
-        fed = size >= min(starved, size.max())
-        if settled and fed.all():
+        large = size >= min(smallest, size.max())
+        if settled and large.all():
             break
-        if not fed.all():
+        if not large.all():
             pruned.append(len(objective))
-            shares = shares[:, fed]
+            shares = shares[:, large]
             total = shares.sum(axis=1, keepdims=True)
-            shares = np.where(total > 0, shares / np.where(total > 0, total, 1), 1 / fed.sum())
+            shares = np.where(total > 0, shares / np.where(total > 0, total, 1), 1 / large.sum())
         experts = Experts.fit(inputs, poses, shares, prior)
     return experts, objective, pruned

@@ -1,38 +1,41 @@
-"""Where one silhouette means several poses: clusters alike in input and connected in output."""
+"""Initial components of a mixture: clusters that are local in input and connected in output.
+
+Where one silhouette means several poses, these fall into different clusters.
+"""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 from sklearn.cluster import KMeans
 from sklearn.neighbors import NearestNeighbors, radius_neighbors_graph
 
-Array = NDArray[np.float64]
+from silpose.core.types import Array, Indices
 
-_REACH = 2.0  # poses are connected that are this much nearer than nearly all nearest ones, and
-_NEARLY = 0.95  # this is nearly all
+_REACH = 2.0  # in units of the distance within which nearly all poses have a neighbour
+_NEARLY_ALL = 0.95
 
 
 def local_clusters(
     inputs: Array, poses: Array, clusters: int, smallest: int, seed: int | None
-) -> NDArray[np.intp]:
+) -> Indices:
     """Cluster inputs locally, and split each cluster by connectivity in pose space.
 
     Parameters
     ----------
-    inputs, poses : ndarray, shapes (n, d) and (n, D)
-        Alike inputs; poses on a scale on which their columns compare.
+    inputs : ndarray, shape (n, d)
+    poses : ndarray, shape (n, D)
+        On a scale on which their columns are comparable.
     clusters : int
-        Of inputs, before they are split.
+        Number of clusters of inputs, before they are split.
     smallest : int
-        What is left with fewer examples joins the nearest cluster.
+        Examples of smaller clusters join the nearest larger one.
     seed : int or None
 
     Returns
     -------
     labels : ndarray of int, shape (n,)
-        From 0, none left out.
+        Consecutive numbers from 0.
     """
     clusters = min(clusters, len(np.unique(inputs, axis=0)))
     local = KMeans(clusters, n_init=1, random_state=seed).fit(inputs).labels_
@@ -52,11 +55,11 @@ def _reach(poses: Array) -> float:
     if len(poses) < 2:
         return 1.0
     nearest = NearestNeighbors(n_neighbors=2).fit(poses).kneighbors(poses)[0][:, 1]
-    return _REACH * float(np.quantile(nearest, _NEARLY)) + 1e-9
+    return _REACH * float(np.quantile(nearest, _NEARLY_ALL)) + 1e-9
 
 
-def _absorb(points: Array, labels: NDArray[np.intp], smallest: int) -> NDArray[np.intp]:
-    """Let small clusters' points join the nearest large one, and number these anew."""
+def _absorb(points: Array, labels: Indices, smallest: int) -> Indices:
+    """Let points of small clusters join the nearest large one, and renumber the clusters."""
     size = np.bincount(labels)
     large = np.flatnonzero(size >= min(smallest, size.max()))
     centres = np.array([points[labels == k].mean(axis=0) for k in large])

@@ -1,118 +1,150 @@
 """Mixture of regressors: several poses for one silhouette, each with its probability (Eq. 11).
 
-The paper's text breaks off after that equation. What is done here in its spirit: a Gaussian gate
+The paper's text breaks off after that equation. The method here follows its idea: a Gaussian gate
 on a reduced input, components that start where locality of the input and connectivity of the
-output say that one silhouette means several poses, and EM.
+output show that one silhouette means several poses, and EM.
 """
 
 from __future__ import annotations
 
+from dataclasses import asdict
+from typing import ClassVar, Literal
+
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
+from numpy.typing import ArrayLike
 from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.core.errors import InputError
-from silpose.regression.mixture.density import ConditionalDensity, MixtureInput
-from silpose.regression.mixture.experts import Prior, expectation_maximisation
+from silpose.core.parameters import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    POSITIVE_INTEGER,
+    PROBABILITY,
+    Constraints,
+    check_parameters,
+    one_of,
+)
+from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
+from silpose.regression.mixture.experts import Experts, Prior, expectation_maximisation
 from silpose.regression.mixture.local_clusters import local_clusters
-from silpose.regression.mixture.modes import sharpened
+from silpose.regression.mixture.prediction import MixturePredictions
 from silpose.regression.mixture.reduction import PoseDirections
 from silpose.regression.mixture.shared_regressor import SharedRegressor
 from silpose.regression.regressor import Regressor
 
-Array = NDArray[np.float64]
-
-_MODES = 8  # among which weights are sharpened
-_POSITIVE = (
-    "clusters", "dimensions", "damping", "temperature", "noise_width", "floor", "agreement",
-    "sharpness", "shared_width", "shared_temperature", "smallest", "max_iter",
-)  # fmt: skip
-ANSWERS = ("mode", "mean")
+_FITTED = ("mean_", "scale_", "varies_", "background_", "n_features_in_", "_single")
+_REDUCTION = ("mean_", "components_")
 
 
-class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
+class MixtureOfRegressors(MixturePredictions):
     """p(x|z) = Σ_k π_k(z) N(A_k ψ(z) + b_k, Λ_k) (Eq. 11), Λ_k diagonal.
 
-    The gate π_k(z) is the share of π_k N(ψ; μ_k, S_k) among all components and one that is as
-    wide as all training examples, which takes over where nothing like z was seen. Its answer is
-    anything: the mean of all poses with their variance.
+    The gate π_k(z) is the share of π_k N(ψ; μ_k, S_k) among all components and a background
+    component. That one's gate is as wide as all training examples, so that it takes over where
+    nothing like z was seen; its density has the mean and the variance of all poses.
 
     Parameters
     ----------
-    clusters : int
-        Of inputs, before they are split by connectivity in pose space.
-    dimensions : int
-        Of the reduced input ψ.
-    damping : float
+    clusters : int, default=60
+        Number of clusters of inputs, before they are split by connectivity in pose space.
+    dimensions : int, default=90
+        Largest dimension of the reduced input ψ.
+    damping : float, default=30.0
         λ of each component's ridge regression, outputs being at unit variance.
-    temperature : float
-        By which the gates' log densities are divided when they answer. Unseen silhouettes lie
-        further out than those that trained, and what is unusual in one column of ψ is in others.
-    noise_width : float
-        Factor of Λ_k when they answer: likewise poses.
-    doubt : float
-        Probability, before anything is seen, that none of the components is right.
-    floor : float
-        Least standard deviation of an output, in its own standard deviations.
-    agreement : float
+    temperature : float, default=8.0
+        Divisor of the gates' log densities in predictions. Unseen silhouettes lie further out
+        than those in training, and are unusual in several columns of ψ at once.
+    noise_width : float, default=1.0
+        Factor of Λ_k in predictions: likewise poses.
+    outlier_probability : float, default=0.01
+        Prior probability that none of the components is right.
+    floor : float, default=0.1
+        Least standard deviation of an output, in units of its own in training.
+    agreement : float, default=1.0
         Components whose means differ by less are one mode: mean over outputs of the squared
         difference, in units of the sum of their training variances.
-    sharpness : float
+    calibration_exponent : float, default=1.0
         Exponent of modes' weights, which calibrates them: components that just fail to agree
         take weight from each other, and many weak ones from a strong one.
-    answer : {"mode", "mean"}
-        What `predict` gives: the most probable mode, or the mean of the mixture.
-    shared : Regressor, optional
-        Fitted to all examples; a component's answers move towards its, in columns in which it
-        errs little on the component's examples.
-    shared_width : float
-        Factor of the variance of its error in training: the larger, the less it is heeded.
-    shared_temperature : float
-        By which log densities are divided as which the shared regressor's estimate changes
-        components' weights: its errors in one column come with errors in others.
-    smallest : int
-        Examples that a component wants, at least.
-    units : array-like, shape (D,), or None
-        What one unit of error is in each output. For the initial clusters outputs compare on a
+    point_estimate : {"mode", "mean"}, default="mode"
+        What `predict` returns: the most probable mode, or the mean of the mixture.
+    shared : Regressor or None, default=None
+        A regressor that is fitted to all examples. Components' means move towards its estimate,
+        in columns in which its error on the component's examples is small.
+    shared_width : float, default=8.0
+        Factor of the variance of its training error: the larger, the lower its weight.
+    shared_temperature : float, default=128.0
+        Divisor of the log densities by which the shared regressor's estimate changes components'
+        weights: its errors in one column come with errors in others.
+    smallest : int, default=5
+        Least number of examples of a component.
+    units : array-like, shape (D,), or None, default=None
+        One unit of error in each output. For the initial clusters, outputs are compared on a
         scale halfway between their units and their standard deviations; without, on the latter.
-    hellinger : bool
-        Whether to take square roots of the inputs first.
-    max_iter, tol : int, float
-        Of EM; it stops once a round adds less than `tol` per example.
-    random_state : int or None
+    hellinger : bool, default=True
+        Whether to take square roots of the inputs first; they must not be negative then.
+    max_iter : int, default=10
+        Largest number of rounds of EM.
+    tol : float, default=1e-2
+        EM stops once a round adds less than this to the log-likelihood per example.
+    random_state : int or None, default=0
+        Seed of random numbers.
 
     Attributes
     ----------
     experts_ : Experts
+    reduction_ : PoseDirections
     shared_ : SharedRegressor or None
     objective_ : list of float
-        What EM maximises, penalised log-likelihood per example, before each round.
+        Penalised log-likelihood per example, which EM maximises, before each round.
     n_iter_ : int
         Rounds of EM.
     pruned_ : list of int
-        Rounds before which starved components were taken out; only there may it fall.
+        Rounds before which small components were pruned; only there may the objective fall.
+
+    See Also
+    --------
+    choose_mixture : Chooses parameters by held-out likelihood.
     """
+
+    constraints: ClassVar[Constraints] = {
+        "clusters": POSITIVE_INTEGER,
+        "dimensions": POSITIVE_INTEGER,
+        "damping": POSITIVE,
+        "temperature": POSITIVE,
+        "noise_width": POSITIVE,
+        "outlier_probability": PROBABILITY,
+        "floor": POSITIVE,
+        "agreement": POSITIVE,
+        "calibration_exponent": POSITIVE,
+        "point_estimate": one_of("mode", "mean"),
+        "shared_width": POSITIVE,
+        "shared_temperature": POSITIVE,
+        "smallest": POSITIVE_INTEGER,
+        "max_iter": POSITIVE_INTEGER,
+        "tol": NOT_NEGATIVE,
+    }
 
     def __init__(
         self,
         clusters: int = 60,
+        *,
         dimensions: int = 90,
         damping: float = 30.0,
         temperature: float = 8.0,
         noise_width: float = 1.0,
-        doubt: float = 0.01,
+        outlier_probability: float = 0.01,
         floor: float = 0.1,
         agreement: float = 1.0,
-        sharpness: float = 1.0,
-        answer: str = "mode",
+        calibration_exponent: float = 1.0,
+        point_estimate: Literal["mode", "mean"] = "mode",
         shared: Regressor | None = None,
         shared_width: float = 8.0,
         shared_temperature: float = 128.0,
         smallest: int = 5,
         units: ArrayLike | None = None,
-        hellinger: bool = False,
+        hellinger: bool = True,
         max_iter: int = 10,
         tol: float = 1e-2,
         random_state: int | None = 0,
@@ -122,11 +154,11 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.damping = damping
         self.temperature = temperature
         self.noise_width = noise_width
-        self.doubt = doubt
+        self.outlier_probability = outlier_probability
         self.floor = floor
         self.agreement = agreement
-        self.sharpness = sharpness
-        self.answer = answer
+        self.calibration_exponent = calibration_exponent
+        self.point_estimate = point_estimate
         self.shared = shared
         self.shared_width = shared_width
         self.shared_temperature = shared_temperature
@@ -146,9 +178,19 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
             Inputs: descriptors z.
         y : array-like, shape (n, D) or (n,)
             Outputs: poses x.
+
+        Raises
+        ------
+        InputError
+            If a parameter or an input cannot be used.
         """
         inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
-        self._check(inputs)
+        check_parameters(self)
+        if self.clusters > len(inputs):
+            raise InputError(
+                f"clusters must be at most the number of examples, n_samples = {len(inputs)}, "
+                f"not {self.clusters}"
+            )
         self._single = outputs.ndim == 1
         outputs = outputs.reshape(len(outputs), -1).astype(float)
         self.mean_, deviation = outputs.mean(axis=0), outputs.std(axis=0)
@@ -159,7 +201,7 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
             self.dimensions, hellinger=self.hellinger, random_state=self.random_state
         )
         compared = poses
-        if self.units is not None:  # the geometric mean of both
+        if self.units is not None:  # the geometric mean of both scales
             compared = poses * np.sqrt(self.scale_ / np.asarray(self.units, dtype=float))
         self.reduction_ = reduction.fit(inputs, compared)
         psi = self.reduction_.transform(inputs)
@@ -174,123 +216,35 @@ class MixtureOfRegressors(MultiOutputMixin, RegressorMixin, BaseEstimator):
             shares, _ = self.experts_.responsibilities(psi, poses, prior)
             self.shared_ = SharedRegressor.fit(self.shared, inputs, poses, shares)
         widest = self.experts_.spreads.max(axis=0)
-        self.anywhere_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
+        self.background_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
         return self
+
+    def to_arrays(self) -> State:
+        """Return what predictions need, as arrays and numbers."""
+        check_is_fitted(self)
+        parts: dict[str, State] = {
+            "experts": asdict(self.experts_),
+            "reduction": arrays_of(self.reduction_, _REDUCTION),
+            "shared": self.shared_.to_arrays() if self.shared_ else {},
+        }
+        state = arrays_of(self, _FITTED)
+        for name, part in parts.items():
+            state |= prefixed(name, part)
+        return state
+
+    @classmethod
+    def from_arrays(cls, state: State) -> MixtureOfRegressors:
+        """Restore a mixture from `to_arrays`."""
+        mixture = estimator_from(cls, state, _FITTED)
+        experts = without_prefix("experts", state)
+        reduction, shared = without_prefix("reduction", state), without_prefix("shared", state)
+        mixture.experts_ = Experts(**{name: np.asarray(value) for name, value in experts.items()})
+        mixture.reduction_ = estimator_from(PoseDirections, reduction, _REDUCTION)
+        mixture.shared_ = SharedRegressor.from_arrays(shared) if shared else None
+        return mixture
 
     def __sklearn_tags__(self) -> Tags:
         tags = super().__sklearn_tags__()
+        tags.input_tags.positive_only = self.hellinger
         tags.regressor_tags.poor_score = True  # `score` is a log-likelihood, and no R²
         return tags
-
-    def _check(self, inputs: Array) -> None:
-        for name in _POSITIVE:
-            if not getattr(self, name) > 0:
-                raise InputError(f"{name} must be positive, not {getattr(self, name)}")
-        if self.clusters > len(inputs):
-            raise InputError(
-                f"{self.clusters} clusters want as many examples, and n_samples = {len(inputs)}: "
-                "give more, or fewer clusters"
-            )
-        if not 0 <= self.doubt < 1:
-            raise InputError(f"doubt is a probability below 1, not {self.doubt}")
-        if self.answer not in ANSWERS:
-            raise InputError(f"there is no answer '{self.answer}'; there are {', '.join(ANSWERS)}")
-        if self.hellinger and inputs.min() < 0:
-            raise InputError("square roots need histograms: negative inputs want hellinger=False")
-
-    @property
-    def components_(self) -> int:
-        """Number of components, K."""
-        return len(self.experts_.offsets)
-
-    def predict(self, X: ArrayLike) -> Array:
-        """Estimate outputs, shape (n, D): the most probable mode, or the mean of the mixture."""
-        if self.answer == "mode":
-            estimated = self.predict_modes(X, 1)[1][:, 0]
-        else:
-            estimated = self._density.mean(self._seen(X)) * self.scale_ + self.mean_
-        return estimated[:, 0] if self._single else estimated
-
-    def predict_modes(self, z: ArrayLike, k: int) -> tuple[Array, Array, Array]:
-        """Give the k most probable modes, best first.
-
-        Components that agree are one mode, at their weighted mean.
-
-        Parameters
-        ----------
-        z : array-like, shape (n, d)
-        k : int
-
-        Returns
-        -------
-        weights : ndarray, shape (n, k)
-            Probabilities. What is missing to 1 are further modes, and that none is right. Where
-            there are less than k modes the rest has weight 0 and repeats the first.
-        means, variances : ndarray, shape (n, k, D)
-        """
-        if k < 1:
-            raise InputError(f"at least one mode is to be asked for, not {k}")
-        several = max(k, _MODES)
-        found = self._density.modes(self._seen(z), several, self.agreement)
-        weights, means, variances = sharpened(found[0], self.sharpness), *found[1:]
-        weights, means, variances = weights[:, :k], means[:, :k], variances[:, :k]
-        return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
-
-    def answers(self, z: ArrayLike, least: float = 1e-6) -> tuple[Array, Array, Array]:
-        """Give the components that may have an answer to one input.
-
-        Components weigh as if all were equally frequent, without their π_k: a tracker adds what
-        it expects itself.
-
-        Parameters
-        ----------
-        z : array-like, shape (d,)
-        least : float
-            Weight below which a component has nothing to say.
-
-        Returns
-        -------
-        log_weights : ndarray, shape (K',)
-        means, variances : ndarray, shape (K', D)
-            Last among them is the one that stands for none.
-        """
-        seen = self._seen(np.asarray(z, dtype=float)[None])
-        log_weights, means, variances = self._density.answers(seen, least)
-        return log_weights, means * self.scale_ + self.mean_, variances * self.scale_**2
-
-    def variances(self) -> Array:
-        """Diagonals of Λ_k, and the variance of anything, shape (K + 1, D)."""
-        return self._density.variances() * self.scale_**2
-
-    def sample(self, z: ArrayLike, count: int = 1, seed: int | None = None) -> Array:
-        """Draw outputs from p(x|z), shape (n, count, D)."""
-        drawn = self._density.sample(self._seen(z), count, np.random.default_rng(seed))
-        return drawn * self.scale_ + self.mean_
-
-    def log_likelihoods(self, z: ArrayLike, x: ArrayLike) -> Array:
-        """Log p(x|z) of each example, shape (n,).
-
-        Outputs are on the scale of their standard deviations in training, and those that are
-        constant there are left out.
-        """
-        density, x = self._density, np.asarray(x, dtype=float)
-        poses = (x.reshape(len(x), -1) - self.mean_) / self.scale_
-        return density.log_likelihoods(self._seen(z), poses, self.varies_)
-
-    @property
-    def _density(self) -> ConditionalDensity:
-        check_is_fitted(self)
-        return ConditionalDensity(
-            self.experts_, self.anywhere_, self.shared_, self.temperature, self.noise_width,
-            self.shared_width, self.shared_temperature, self.doubt, self.floor,
-        )  # fmt: skip
-
-    def _seen(self, z: ArrayLike) -> MixtureInput:
-        z = validate_data(self, z, dtype=float, reset=False)
-        shared = None if self.shared_ is None else self.shared_.regressor.predict(z)
-        return MixtureInput(self.reduction_.transform(z), shared)
-
-    def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
-        """Log-likelihood per example, of outputs at unit variance."""
-        weights = None if sample_weight is None else np.asarray(sample_weight, dtype=float)
-        return float(np.average(self.log_likelihoods(X, y), weights=weights))

@@ -1,17 +1,19 @@
-"""The distinct modes of a mixture: components that agree are one."""
+"""Distinct modes of a mixture: components that agree are one."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from silpose.core.types import Array
+
+MODES = 8
+"""Number of modes that are considered, among which weights are calibrated."""
 
 
 def distinct_modes(
     weights: Array, means: Array, variances: Array, widening: float, count: int, agreement: float
 ) -> tuple[Array, Array, Array]:
-    """Gather components around the heaviest, then around the heaviest of the rest, and so on.
+    """Merge the components that agree with the heaviest, then do so among the rest, and so on.
 
     Parameters
     ----------
@@ -19,9 +21,9 @@ def distinct_modes(
     means : ndarray, shape (n, K, D)
     variances : ndarray, shape (K, D)
     widening : float
-        Factor of the variances in the answer, but not where agreement is judged.
+        Factor of the variances that are returned, though not of those that measure agreement.
     count : int
-        Modes that are asked for.
+        Number of modes.
     agreement : float
         Largest mean over columns of the squared difference of two means, over the sum of their
         variances.
@@ -30,13 +32,13 @@ def distinct_modes(
     -------
     weights : ndarray, shape (n, count)
     means, variances : ndarray, shape (n, count, D)
-        Moments of the components gathered.
+        Moments of the merged components.
     """
     rows = np.arange(len(weights))
     left = weights.copy()
     found: list[tuple[Array, Array, Array]] = []
     for _ in range(count):
-        if found and not left.any():  # none is left to gather around: the rest weighs nothing
+        if found and not left.any():  # no components are left: further modes weigh nothing
             found.append((np.zeros(len(weights)), *found[0][1:]))
             continue
         heaviest = left.argmax(axis=1)
@@ -59,13 +61,29 @@ def distinct_modes(
     return modes[0], modes[1], modes[2]
 
 
-def sharpened(weights: Array, exponent: float) -> Array:
-    """Raise modes' weights (n, k) to a power, their sum kept: what is missing to 1 stays so."""
+def calibrated(weights: Array, exponent: float) -> Array:
+    """Raise weights of modes to a power; their sum, and so the remaining probability, is kept.
+
+    Parameters
+    ----------
+    weights : ndarray, shape (n, k)
+    exponent : float
+    """
     powers = normalised(weights) ** exponent
     return normalised(powers) * weights.sum(axis=1, keepdims=True)
 
 
 def normalised(weights: Array) -> Array:
-    """Weights of modes (n, k) if one of them is right: rows sum to 1, or are 0 if none can be."""
+    """Weights of modes given that one of them is right.
+
+    Parameters
+    ----------
+    weights : ndarray, shape (n, k)
+
+    Returns
+    -------
+    normalised : ndarray, shape (n, k)
+        Rows sum to 1, or to 0 where all weights are 0.
+    """
     total = weights.sum(axis=1, keepdims=True)
     return np.where(total > 0, weights / np.where(total > 0, total, 1), 0)

@@ -1,20 +1,30 @@
-"""Reduced inputs ψ(z): the few directions of descriptor space that tell the pose."""
+"""Reduced inputs ψ(z): the directions of descriptor space that vary with the pose."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.cluster import KMeans
 from sklearn.utils.validation import check_is_fitted
 
-Array = NDArray[np.float64]
+from silpose.core.types import Array
+from silpose.regression.hellinger import square_roots
 
 _SHRINKAGE = 1.0  # of the scatter towards a multiple of the identity
 
 
 def whitening(residuals: Array) -> Array:
-    """Matrix (d, d) after which the scatter of ``residuals (n, d)`` is about the identity."""
+    """Matrix after which the scatter of residuals is about the identity.
+
+    Parameters
+    ----------
+    residuals : ndarray, shape (n, d)
+
+    Returns
+    -------
+    matrix : ndarray, shape (d, d)
+    """
     scatter = residuals.T @ residuals / len(residuals)
     typical = max(np.trace(scatter) / len(scatter), 1e-12)
     scatter.flat[:: len(scatter) + 1] += _SHRINKAGE * typical
@@ -23,20 +33,21 @@ def whitening(residuals: Array) -> Array:
 
 
 class PoseDirections(TransformerMixin, BaseEstimator):
-    """Principal components of inputs, whitened by what is not pose.
+    """Principal components of inputs, whitened by what varies at the same pose.
 
-    The scatter within clusters of alike poses is divided out first, so that principal components
-    are what varies with the pose: a discriminant analysis.
+    The scatter within clusters of alike poses is divided out first, so that the principal
+    components vary with the pose: a discriminant analysis.
 
     Parameters
     ----------
-    dimensions : int
-        Of ψ, at most.
-    poses : float
-        Clusters of poses, as a share of the training examples.
-    hellinger : bool
-        Whether to take square roots of the inputs first.
-    random_state : int or None
+    dimensions : int, default=90
+        Largest dimension of ψ.
+    poses : float, default=0.18
+        Number of clusters of poses, as a share of the training examples.
+    hellinger : bool, default=True
+        Whether to take square roots of the inputs first; they must not be negative then.
+    random_state : int or None, default=0
+        Seed of random numbers.
 
     Attributes
     ----------
@@ -46,7 +57,8 @@ class PoseDirections(TransformerMixin, BaseEstimator):
 
     def __init__(
         self,
-        dimensions: int = 30,
+        dimensions: int = 90,
+        *,
         poses: float = 0.18,
         hellinger: bool = True,
         random_state: int | None = 0,
@@ -57,7 +69,14 @@ class PoseDirections(TransformerMixin, BaseEstimator):
         self.random_state = random_state
 
     def fit(self, z: ArrayLike, y: ArrayLike) -> PoseDirections:
-        """Learn the directions from inputs (n, d) and standardised poses (n, D)."""
+        """Fit the directions.
+
+        Parameters
+        ----------
+        z : array-like, shape (n, d)
+        y : array-like, shape (n, D)
+            Poses, on a scale on which their columns are comparable.
+        """
         roots, poses = self._roots(z), np.asarray(y, dtype=float)
         count = min(max(1, int(self.poses * len(poses))), len(np.unique(poses, axis=0)))
         labels = KMeans(count, n_init=1, random_state=self.random_state).fit(poses).labels_
@@ -77,4 +96,4 @@ class PoseDirections(TransformerMixin, BaseEstimator):
 
     def _roots(self, z: ArrayLike) -> Array:
         z = np.asarray(z, dtype=float)
-        return np.sqrt(np.maximum(z, 0)) if self.hellinger else z
+        return square_roots(z) if self.hellinger else z

@@ -1,10 +1,11 @@
-"""A regressor that all examples share, beside the local ones of a mixture.
+"""A regressor fitted to all examples, beside the local ones of a mixture.
 
-A component learns from few examples and varies with them; a regressor of all examples varies
-little, but averages where one silhouette means several poses. Its error in training, near each
-component, tells where and in which columns, so the two are combined as products of Gaussians
+A component is fitted to few examples and varies with them; a regressor of all examples varies
+little, but averages where one silhouette means several poses. Its training error near each
+component shows where, and in which columns. The two are combined as products of Gaussians
 (T. Heskes, "Selecting weighting factors in logarithmic opinion pools", NIPS 1997): components keep
-what it cannot tell, and those that contradict what it can weigh less.
+their means in columns that the shared regressor cannot predict, and weigh less where they
+contradict it in columns that it can.
 """
 
 from __future__ import annotations
@@ -12,19 +13,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from sklearn.base import clone
 
+from silpose.core.serialisation import State
+from silpose.core.types import Array, Indices
 from silpose.regression.regressor import Regressor
 
-Array = NDArray[np.float64]
-
-_STRENGTH = 50.0  # examples that the mean squared error of all is worth to a component
+_STRENGTH = 50.0  # examples that the mean squared error of all counts as, for each component
 
 
 @dataclass(frozen=True)
 class SharedRegressor:
-    """A fitted regressor, and how far off it is in training.
+    """A fitted regressor, and its training errors.
 
     Attributes
     ----------
@@ -41,14 +41,14 @@ class SharedRegressor:
     def fit(
         cls, regressor: Regressor, inputs: Array, poses: Array, shares: Array
     ) -> SharedRegressor:
-        """Fit a regressor of these settings.
+        """Fit a clone of a regressor, and measure its errors.
 
         Parameters
         ----------
         regressor : Regressor
         inputs, poses : ndarray, shapes (n, d) and (n, D)
         shares : ndarray, shape (n, K)
-            Of each component in each example.
+            Responsibility of each component for each example.
         """
         fitted = clone(regressor).fit(inputs, poses)
         squared = (fitted.predict(inputs) - poses) ** 2
@@ -56,17 +56,18 @@ class SharedRegressor:
         return cls(fitted, (shares.T @ squared + _STRENGTH * squared.mean(axis=0)) / size)
 
     def product(
-        self, said: Array, means: Array, noises: Array, width: float, which: NDArray[np.intp]
+        self, estimated: Array, means: Array, noises: Array, width: float, which: Indices
     ) -> tuple[Array, Array]:
-        """Multiply components' Gaussians with the one around what the shared regressor said.
+        """Multiply components' Gaussians with the one around the shared regressor's estimate.
 
         Parameters
         ----------
-        said : ndarray, shape (n, D)
+        estimated : ndarray, shape (n, D)
+            By the shared regressor.
         means : ndarray, shape (n, K', D)
-            Components' own answers.
+            Means x̄_k of components `which`.
         noises : ndarray, shape (K', D)
-            Diagonals of Λ_k of components `which`.
+            Diagonals of their Λ_k.
         width : float
             Factor of the shared variances.
         which : ndarray of int, shape (K',)
@@ -74,14 +75,23 @@ class SharedRegressor:
         Returns
         -------
         log_weights : ndarray, shape (n, K')
-            Log density of what was said, if a component is right.
+            Log density of the estimate under each component.
         means : ndarray, shape (n, K', D)
-            Answers, moved towards what was said as far as it is to be heeded.
+            Means, moved towards the estimate: the further, the smaller its variance.
         """
         variances = noises + width * self.variances[which]
-        off = said[:, None] - means
+        off = estimated[:, None] - means
         squared = np.einsum("nkd,nkd,kd->nk", off, off, 1 / variances)
         log_weights = -0.5 * (squared + np.log(2 * np.pi * variances).sum(axis=1))
         off *= noises / variances  # large: change it in place
         off += means
         return log_weights, off
+
+    def to_arrays(self) -> State:
+        """Return the regressor and its errors, as arrays and numbers."""
+        return self.regressor.to_arrays() | {"variances": self.variances}
+
+    @classmethod
+    def from_arrays(cls, state: State) -> SharedRegressor:
+        """Restore it from `to_arrays`."""
+        return cls(Regressor.from_arrays(state), np.asarray(state["variances"]))

@@ -9,6 +9,8 @@ from typing import Any, Generic, TypeVar
 
 from sklearn.base import BaseEstimator, clone
 
+from silpose.core.errors import InputError
+from silpose.core.parameters import check_parameters
 from silpose.core.types import Settings
 
 Estimator = TypeVar("Estimator", bound=BaseEstimator)
@@ -21,9 +23,14 @@ class Candidates(Generic[Estimator]):
     Attributes
     ----------
     estimator : estimator
-        Never fitted; what the grid does not name is as in this one.
+        Never fitted; parameters that the grid does not name are as in this one.
     grid : mapping of str to sequence, default={}
         Values of parameters to choose from.
+
+    Raises
+    ------
+    InputError
+        If there is no such parameter, or a value breaks the estimator's constraints.
 
     Examples
     --------
@@ -35,12 +42,34 @@ class Candidates(Generic[Estimator]):
     estimator: Estimator
     grid: Mapping[str, Sequence[Any]] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        check_parameters(self.estimator)
+        known = self.estimator.get_params(deep=False)
+        for name, values in self.grid.items():
+            if name not in known:
+                kind = type(self.estimator).__name__
+                raise InputError(f"{kind} has no parameter '{name}'; it has {', '.join(known)}")
+            if isinstance(values, str) or not len(values):
+                raise InputError(f"{name} must be a list of one value or more, not {values!r}")
+            for value in values:
+                check_parameters(self.create(**{name: value}))
+
+    def names(self, *first: str) -> tuple[str, ...]:
+        """List some parameters, and then what else is in the grid."""
+        return first + tuple(name for name in self.grid if name not in first)
+
     def values(self, name: str) -> list[Any]:
         """List the values of one parameter: those of the grid, or the estimator's own."""
         return list(self.grid.get(name, [getattr(self.estimator, name)]))
 
     def settings(self, *names: str) -> list[Settings]:
-        """List every combination of the values of some parameters; without names, of the grid."""
+        """List every combination of the values of some parameters.
+
+        Parameters
+        ----------
+        *names : str
+            The last one changes fastest; without any, all parameters of the grid.
+        """
         names = names or tuple(self.grid)
         return [
             dict(zip(names, values, strict=True))

@@ -12,9 +12,9 @@ from silpose.core.errors import InputError
 from silpose.core.types import Array, Examples
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Fold:
-    """Takes to learn from, and held-out takes to judge by.
+    """Training takes, and held-out takes for validation; compared by identity.
 
     Attributes
     ----------
@@ -54,14 +54,14 @@ class Fold:
 def partition(
     lengths: Sequence[int], most: int, groups: Sequence[str] | None = None
 ) -> list[set[int]]:
-    """Partition training takes into parts that are left out by turns.
+    """Partition training takes into parts, each of which is held out once.
 
     Parameters
     ----------
     lengths : sequence of int
         Frames of each take.
     most : int
-        Number of parts, of about equal size, if there are as many takes.
+        Largest number of parts, which are of about equal size.
     groups : sequence of str, optional
         Group of each take, such as its performer; each group is a part of its own.
 
@@ -69,6 +69,11 @@ def partition(
     -------
     parts : list of set of int
         Indices of takes, two parts or more.
+
+    Raises
+    ------
+    InputError
+        If there is but one take, or one group.
     """
     if groups is not None:
         parts = [{k for k, g in enumerate(groups) if g == own} for own in sorted(set(groups))]
@@ -77,7 +82,8 @@ def partition(
         for k in sorted(range(len(lengths)), key=lambda k: -lengths[k]):  # the longest first
             min(parts, key=lambda part: sum(lengths[i] for i in part)).add(k)
     if len(parts) < 2:
-        raise InputError("choosing settings needs a validation sequence, or two for training")
+        what = "takes" if groups is None else "groups of takes"
+        raise InputError(f"choosing settings needs a validation take, or two {what} for training")
     return parts
 
 
@@ -88,17 +94,17 @@ def folds(
     most: int = 8,
     groups: Sequence[str] | None = None,
 ) -> list[Fold]:
-    """Pair takes to learn from with takes to judge by.
+    """Pair training takes with held-out takes.
 
     Parameters
     ----------
     train, validation : sequence of (z, x)
-        Descriptors and poses of each take. If there are validation takes, they judge; otherwise
-        the training takes are left out by turns.
+        Descriptors and poses of each take. If there are validation takes, these are held out;
+        otherwise every training take is held out in one of the folds.
     most : int, default=8
-        Number of folds, at most, without validation takes and groups.
+        Largest number of folds, without validation takes and groups.
     groups : sequence of str, optional
-        Group of each training take; without validation takes, one group is left out at a time.
+        Group of each training take; without validation takes, each group is held out once.
 
     Returns
     -------

@@ -1,180 +1,188 @@
-"""Choosing a mixture of regressors by what it says of sequences that did not train."""
+"""Choosing a mixture of regressors by its density of poses in held-out takes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from itertools import product
+from collections.abc import Callable, Sequence
+from copy import copy
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from silpose.core.progress import bar
+from silpose.core.parallel import parallel_map
+from silpose.core.types import Array, Examples, Row, Settings
 from silpose.regression.mixture.mixture import MixtureOfRegressors
-from silpose.regression.mixture.modes import normalised
+from silpose.regression.mixture.modes import MODES, normalised
 from silpose.regression.regressor import Regressor
-from silpose.regression.selection.folds import folds
-from silpose.regression.selection.settings import numbers
+from silpose.regression.selection.candidates import Candidates
+from silpose.regression.selection.folds import Fold, folds
+from silpose.regression.selection.search import Outcome, Score, Scorer, best, search, settings_of
 
-Array = NDArray[np.float64]
-Examples = Sequence[tuple[Array, Array]]
-Values = float | list[float]
-Judges = list[tuple[MixtureOfRegressors, Array, Array]]  # fitted, and held-out z and x
+Distance = Callable[[Array, Array], Array]
 
-_SCORE = "validation_log_likelihood"
-_MODES = 8  # among which the one nearest to the truth is to be told
+_LIKELIHOOD: Score = "validation_log_likelihood"
+_BRIER: Score = "validation_brier_score"
+_GATES = ("temperature", "noise_width")
+_SHARED_STAGES = (("noise_width", "shared_width"), ("shared_temperature",))
+_LATER = ("shared_width", "shared_temperature", "calibration_exponent")
+_PREDICTION = (*_GATES, *_LATER, "outlier_probability", "agreement", "point_estimate")
+"""Parameters that `MixtureOfRegressors.fit` does not use."""
 
 
 @dataclass(frozen=True)
-class MixtureSettings:
-    """Of `MixtureOfRegressors`: one value, or a list for validation to choose from."""
+class ChosenMixture:
+    """A mixture with the settings that validation chose.
 
-    clusters: int | list[int] = field(default_factory=lambda: [30, 60, 120])
-    dimensions: int = 90
-    damping: float = 30.0
-    temperature: Values = field(default_factory=lambda: [4.0, 8.0, 16.0])
-    noise_width: Values = field(default_factory=lambda: [1.0, 2.0, 4.0])
-    shared_width: Values = field(default_factory=lambda: [1.0, 2.0, 4.0, 8.0, 16.0])
-    shared_temperature: Values = field(default_factory=lambda: [16.0, 32.0, 64.0, 128.0, 256.0])
-    sharpness: Values = field(default_factory=lambda: [0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.8, 4.0])
-    floor: float = 0.1
-    hellinger: bool = True
-    random_state: int | None = 0
+    Attributes
+    ----------
+    mixture : MixtureOfRegressors
+        Fitted to all training takes.
+    rows : list of dict
+        Settings with ``validation_log_likelihood`` per frame, those of the last stage with
+        ``validation_brier_score``.
+    by_fold : list of (Fold, MixtureOfRegressors)
+        The same settings, fitted to the training takes of each fold.
+    log_likelihood : float
+        Per held-out frame, with these settings.
+    """
 
-    def __post_init__(self) -> None:
-        for name in (
-            "clusters", "temperature", "noise_width", "shared_width", "shared_temperature",
-            "sharpness",
-        ):  # fmt: skip
-            numbers(getattr(self, name), f"mixture.{name}")
-
-    def mixture(
-        self, clusters: float, units: ArrayLike, shared: Regressor | None
-    ) -> MixtureOfRegressors:
-        """Make the mixture that starts from so many clusters."""
-        return MixtureOfRegressors(
-            int(clusters),
-            self.dimensions,
-            self.damping,
-            floor=self.floor,
-            hellinger=self.hellinger,
-            units=units,
-            shared=shared,
-            random_state=self.random_state,
-        )
+    mixture: MixtureOfRegressors
+    rows: list[Row]
+    by_fold: list[tuple[Fold, MixtureOfRegressors]]
+    log_likelihood: float
 
 
 def choose_mixture(
+    candidates: Candidates[MixtureOfRegressors],
     train: Examples,
     validation: Examples,
-    settings: MixtureSettings,
-    units: ArrayLike,
-    distance: Callable[[Array, Array], Array],
+    *,
+    units: ArrayLike | None,
+    distance: Distance,
     groups: Sequence[str] | None = None,
     shared: Regressor | None = None,
-) -> tuple[MixtureOfRegressors, list[dict[str, object]]]:
+) -> ChosenMixture:
     """Fit the mixture of highest held-out likelihood, then calibrate the weights of its modes.
 
-    How far the shared regressor is heeded is chosen after the number of clusters and the gates'
-    temperature, and last how far it changes components' weights.
+    Settings are chosen in stages: what is fitted together with the gates' temperature and the
+    noise width; then the noise width anew together with the shared regressor's width; then its
+    temperature; last the calibration exponent, whose weights best predict which mode is nearest
+    to the truth.
 
     Parameters
     ----------
+    candidates : Candidates of MixtureOfRegressors
     train, validation : sequence of (z, x)
-        Without validation sequences the training sequences take turns.
-    settings : MixtureSettings
-    units : array-like, shape (D,)
-        What one unit of error is in each output.
+        Descriptors (F, d) and poses (F, D) of each take. Without validation takes every training
+        take is held out in one of the folds.
+    units : array-like, shape (D,), or None
+        One unit of error in each output.
     distance : callable
-        Between true poses (n, 1, D) and modes (n, k, D): which is nearest to the truth?
+        Between true poses (n, 1, D) and modes (n, k, D), shape (n, k).
     groups : sequence of str, optional
-        Of each training sequence; these take turns then.
+        Group of each training take; without validation takes, each group is held out once.
     shared : Regressor, optional
-        Whose settings are chosen already.
+        The shared regressor, whose settings are chosen already.
 
     Returns
     -------
-    mixture : MixtureOfRegressors
-    rows : list of dict
-        Settings with ``validation_log_likelihood`` per frame.
+    chosen : ChosenMixture
+
+    See Also
+    --------
+    choose_regressors : Likewise for single-image regressors.
     """
-
-    def grid_of(*names: str) -> dict[str, list[float]]:
-        return {name: numbers(getattr(settings, name), f"mixture.{name}") for name in names}
-
+    candidates = candidates.with_parameters(units=units, shared=shared)
     pairs = folds(train, validation, groups=groups)
-    clusters = numbers(settings.clusters, "mixture.clusters")
-    fitted: dict[float, Judges] = {}
-    with bar("mixture", len(clusters) * len(pairs) + 1) as advance:
-        for count in clusters:
-            for learnt, judged in pairs:
-                mixture = settings.mixture(count, units, shared).fit(*_joined(learnt))
-                fitted.setdefault(count, []).append((mixture, *_joined(judged)))
-                advance(1)
-        grid = grid_of("temperature", "noise_width")
-        rows = [row for c, judges in fitted.items() for row in _judged(judges, grid, clusters=c)]
-        best = _likeliest(rows)
-        judges = fitted[best["clusters"]]
-        further = [("noise_width", "shared_width"), ("shared_temperature",)]
-        for names in further if shared is not None else []:
-            more = _judged(judges, grid_of(*names), **best)
-            rows += more
-            best = _likeliest(more)
-        count = best.pop("clusters")
-        for mixture, _, _ in judges:
-            mixture.set_params(**best)
-        sharpness = _calibrated(judges, numbers(settings.sharpness, "mixture.sharpness"), distance)
-        mixture = settings.mixture(count, units, shared).set_params(**best, sharpness=sharpness)
-        mixture.fit(*_joined(train))
-        advance(1)
-    return mixture, [{"method": "mixture", **row} for row in rows]
+    first = (
+        "clusters",
+        *(name for name in candidates.grid if name not in ("clusters", *_GATES, *_LATER)),
+        *_GATES,
+    )
+    once = tuple(name for name in first if name not in _PREDICTION)
+    fitted = _fit(candidates, pairs, candidates.settings(*once))
+
+    def mixture(fold: Fold, setting: Settings) -> MixtureOfRegressors:
+        """Return a fitted mixture that predicts with some settings."""
+        own = copy(fitted[fold, tuple(setting[name] for name in once)])
+        return own.set_params(**setting)
+
+    rows: list[Row] = []
+    chosen: Settings = {}
+
+    def stage(names: Sequence[str], scorer: Scorer[Fold], score: Score, **more: Any) -> float:
+        """Choose some settings, others being chosen already, and return their score."""
+        settings = [chosen | setting for setting in candidates.settings(*names)]
+        found = search(
+            scorer, pairs, settings,
+            method="mixture", score=score, description="choosing mixture", **more,
+        )  # fmt: skip
+        row: Any = best(found, score)
+        rows.extend(found)
+        chosen.update(settings_of(row, names))
+        return float(row[score])
+
+    likelihood = partial(_log_likelihoods, mixture)
+    reached = stage(first, likelihood, _LIKELIHOOD, fitted_once=first)
+    for names in _SHARED_STAGES if shared is not None else ():
+        reached = stage(names, likelihood, _LIKELIHOOD, fitted_once=names)
+    stage(("calibration_exponent",), partial(_brier_scores, mixture, distance), _BRIER)
+    by_fold = [(fold, mixture(fold, chosen)) for fold in pairs]
+    if validation:  # the only fold's training takes are all of them
+        return ChosenMixture(by_fold[0][1], rows, by_fold, reached)
+    (final,) = _fit(candidates, [Fold(train, ())], [chosen]).values()
+    return ChosenMixture(final, rows, by_fold, reached)
 
 
-def _judged(
-    judges: Judges, grid: Mapping[str, Sequence[float]], **given: float
-) -> list[dict[str, float]]:
-    """Log-likelihood per held-out frame under each of the settings, others being given."""
-    rows = []
-    frames = sum(len(z) for _, z, _ in judges)
-    for values in product(*grid.values()):
-        setting = given | dict(zip(grid, values, strict=True))
-        total = 0.0
-        for mixture, z, x in judges:
-            mixture.set_params(**{n: v for n, v in setting.items() if n != "clusters"})
-            total += float(mixture.log_likelihoods(z, x).sum())
-        rows.append(setting | {_SCORE: total / frames})
-    return rows
+def _fit(
+    candidates: Candidates[MixtureOfRegressors],
+    pairs: Sequence[Fold],
+    settings: Sequence[Settings],
+) -> dict[tuple[Fold, tuple[Any, ...]], MixtureOfRegressors]:
+    """Fit a mixture with every setting to every fold."""
+    pieces = [(fold, setting) for setting in settings for fold in pairs]
+    fitted = parallel_map(
+        lambda piece: candidates.create(**piece[1]).fit(piece[0].z, piece[0].x),
+        pieces,
+        description="fitting mixtures",
+        prefer="threads",
+    )
+    return {
+        (fold, tuple(setting.values())): mixture
+        for (fold, setting), mixture in zip(pieces, fitted, strict=True)
+    }
 
 
-def _likeliest(rows: Sequence[dict[str, float]]) -> dict[str, float]:
-    """Give the settings of the row with the highest log-likelihood."""
-    best = max(rows, key=lambda row: row[_SCORE])
-    return {name: value for name, value in best.items() if name != _SCORE}
+def _log_likelihoods(
+    mixture: Callable[[Fold, Settings], MixtureOfRegressors],
+    fold: Fold,
+    settings: Sequence[Settings],
+) -> list[Outcome]:
+    """Score settings by the mean log-likelihood of held-out frames."""
+    found = (
+        mixture(fold, setting).log_likelihoods(fold.z_validation, fold.x_validation)
+        for setting in settings
+    )
+    return [Outcome.of(values.sum() / fold.frames) for values in found]
 
 
-def _calibrated(
-    judges: Judges,
-    exponents: Sequence[float],
-    distance: Callable[[Array, Array], Array],
-) -> float:
-    """Exponent under which weights best tell which of the modes is nearest to the truth.
-
-    Brier scores of the folds are averaged geometrically, as errors are by which trackers are
-    chosen: a sequence that resembles no other is not to decide.
-    """
-    scores = np.empty((len(judges), len(exponents)))
-    for row, (mixture, z, x) in zip(scores, judges, strict=True):
-        weights, means, _ = mixture.set_params(sharpness=1.0).predict_modes(z, _MODES)
-        nearest = np.where(weights > 0, distance(x[:, None], means), np.inf).argmin(axis=1)
-        met = np.arange(_MODES) == nearest[:, None]
-        for k, exponent in enumerate(exponents):
-            told = normalised(normalised(weights) ** exponent)
-            row[k] = ((told - met) ** 2).sum(axis=1).mean()
-    frames = [len(z) for _, z, _ in judges]
-    means = np.average(np.log(np.maximum(scores, 1e-12)), axis=0, weights=frames)
-    return exponents[int(means.argmin())]
-
-
-def _joined(examples: Examples) -> tuple[Array, Array]:
-    z, x = (np.concatenate(part) for part in zip(*examples, strict=True))
-    return z, x
+def _brier_scores(
+    mixture: Callable[[Fold, Settings], MixtureOfRegressors],
+    distance: Distance,
+    fold: Fold,
+    settings: Sequence[Settings],
+) -> list[Outcome]:
+    """Score calibration exponents by how well weights predict which mode is nearest."""
+    plain = mixture(fold, settings[0] | {"calibration_exponent": 1.0})
+    weights, means, _ = plain.predict_modes(fold.z_validation, MODES)
+    distances = distance(fold.x_validation[:, None], means)
+    nearest = np.where(weights > 0, distances, np.inf).argmin(axis=1)
+    truth = np.arange(MODES) == nearest[:, None]
+    outcomes = []
+    for setting in settings:
+        exponent: Any = setting["calibration_exponent"]
+        predicted = normalised(normalised(weights) ** exponent)
+        outcomes.append(Outcome.of(((predicted - truth) ** 2).sum(axis=1).mean()))
+    return outcomes

@@ -1,282 +1,213 @@
-"""Choosing settings by validation: one kernel per width, one path over ν for all RVMs."""
+"""Choosing regressors by validation: one kernel matrix per width, one path over ν for all RVMs."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
-from math import ceil
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from silpose.core.progress import bar
+from silpose.core.errors import InputError
+from silpose.core.parallel import parallel_map
+from silpose.core.types import Examples, Row, Settings
 from silpose.regression.basis import Basis
-from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.mixture.mixture import MixtureOfRegressors
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
-from silpose.regression.selection.folds import folds as sequence_folds
-from silpose.regression.selection.mixtures import MixtureSettings
-from silpose.regression.selection.settings import (
-    BasisSettings,
-    RidgeSettings,
-    RvmSettings,
-    SvmSettings,
-    numbers,
-    share,
-)
-from silpose.regression.sparse.elimination import sparsest_within
-from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
+from silpose.regression.selection.candidates import Candidates
+from silpose.regression.selection.methods import check_methods, share
+from silpose.regression.selection.regressor_search import Choice, Error, HeldOut
+from silpose.regression.selection.training_set import TrainingSet
 from silpose.regression.sparse.rvm import RelevanceVectorRegressor
 from silpose.regression.svm import SupportVectorRegressor
 
-Array = NDArray[np.float64]
-Examples = Sequence[tuple[Array, Array]]
-Error = Callable[[Array, Array], float]
-
-_FIRST_NU = 16.0  # of the path to a wanted sparsity
-_FOLDS = 5  # of cross-validation, if no sequences are set aside for validation
-_FOLDED = 10_000  # frames, about, that cross-validation needs; of more it takes an even share
+_FIRST_NU = 16.0  # where the path to a target sparsity begins
 
 
-@dataclass
-class Chosen:
-    """Fitted regressors by method, and what every setting gave on validation.
+@dataclass(frozen=True)
+class RegressionCandidates:
+    """Candidates of every kind of single-image regressor.
+
+    Attributes
+    ----------
+    basis : Candidates of Basis
+    ridge : Candidates of RidgeRegressor
+    rvm : Candidates of RelevanceVectorRegressor
+    svm : Candidates of SupportVectorRegressor
+    mixture : Candidates of MixtureOfRegressors
+        For `choose_mixture`.
+    slack : float, default=0.03
+        The RVM chosen is the sparsest whose validation error is at most this share above the
+        best.
+    """
+
+    basis: Candidates[Basis] = field(default_factory=lambda: Candidates(Basis()))
+    ridge: Candidates[RidgeRegressor] = field(default_factory=lambda: Candidates(RidgeRegressor()))
+    rvm: Candidates[RelevanceVectorRegressor] = field(
+        default_factory=lambda: Candidates(RelevanceVectorRegressor())
+    )
+    svm: Candidates[SupportVectorRegressor] = field(
+        default_factory=lambda: Candidates(SupportVectorRegressor())
+    )
+    mixture: Candidates[MixtureOfRegressors] = field(
+        default_factory=lambda: Candidates(MixtureOfRegressors())
+    )
+    slack: float = 0.03
+
+    def __post_init__(self) -> None:
+        if not self.slack >= 0:
+            raise InputError(f"slack must be zero or positive, not {self.slack}")
+
+
+@dataclass(frozen=True)
+class ChosenRegressors:
+    """Regressors with the settings that validation chose.
 
     Attributes
     ----------
     regressors : dict of str to Regressor
+        By method, fitted to all training takes.
     rows : list of dict
-        ``method``, its settings, ``kept`` and ``validation_error``.
+        ``method``, its settings, ``kept`` and ``validation_error``, of all settings that were
+        compared.
+    choices : dict of str to Choice
+        By method.
     """
 
-    regressors: dict[str, Regressor] = field(default_factory=dict)
-    rows: list[dict[str, object]] = field(default_factory=list)
+    regressors: dict[str, Regressor]
+    rows: list[Row]
+    choices: dict[str, Choice]
+
+    def validation_error(self, method: str) -> float:
+        """Return the validation error of a method with the settings chosen.
+
+        It is computed only now where there was a single setting.
+        """
+        return self.choices[method].validation_error
 
 
-@dataclass(frozen=True)
-class Candidates:
-    """Settings to choose from, by error on validation sequences.
+def choose_regressors(
+    candidates: RegressionCandidates,
+    methods: Sequence[str],
+    train: Examples,
+    validation: Examples,
+    error: Error,
+    *,
+    units: ArrayLike | None = None,
+    groups: Sequence[str] | None = None,
+) -> ChosenRegressors:
+    """Fit every method to all training takes, with the settings best on held-out takes.
 
-    The kernel's width is chosen with ridge regression and kept for the others: their errors
-    depend on it in the same way, and a kernel matrix costs more than a solution.
+    The basis is chosen with ridge regression and kept for the other methods: their errors depend
+    on its width in the same way, and a kernel matrix costs more than a solution.
 
     Parameters
     ----------
-    basis : BasisSettings
-    ridge : RidgeSettings
-    rvm : RvmSettings
-    svm : SvmSettings
-    mixture : MixtureSettings
-        Chosen by `choose_mixture`.
+    candidates : RegressionCandidates
+    methods : sequence of str
+        ``ridge``, ``rvm`` (ν chosen), ``rvm_N`` (N % of the kernels kept), ``svm``.
+    train, validation : sequence of (z, x)
+        Descriptors (F, d) and poses (F, D) of each take. Without validation takes every training
+        take is held out in one of the folds: cross-validation over takes, never over frames.
+    error : callable
+        Mean error over frames, from true and estimated poses (F, D).
+    units : array-like, shape (D,), optional
+        One unit of error in each output, for the SVM's tube.
+    groups : sequence of str, optional
+        Group of each training take; without validation takes, each group is held out once.
+
+    Returns
+    -------
+    chosen : ChosenRegressors
+
+    Raises
+    ------
+    InputError
+        If a name is no method, or there are no takes to hold out.
+
+    See Also
+    --------
+    choose_mixture : Likewise for mixtures of regressors.
     """
-
-    basis: BasisSettings = field(default_factory=BasisSettings)
-    ridge: RidgeSettings = field(default_factory=RidgeSettings)
-    rvm: RvmSettings = field(default_factory=RvmSettings)
-    svm: SvmSettings = field(default_factory=SvmSettings)
-    mixture: MixtureSettings = field(default_factory=MixtureSettings)
-
-    def choose(
-        self,
-        methods: Sequence[str],
-        train: Examples,
-        validation: Examples,
-        error: Error,
-        units: ArrayLike = 1.0,
-        groups: Sequence[str] | None = None,
-    ) -> Chosen:
-        """Fit every method to all training sequences, with the settings best on validation.
-
-        Parameters
-        ----------
-        methods : sequence of str
-            ``ridge``, ``rvm`` (ν chosen), ``rvm_N`` (N % of the kernels kept), ``svm``.
-        train, validation : sequence of (z, x)
-            Descriptors (n, d) and poses (n, D) of each sequence. Without validation sequences,
-            training sequences are left out by turns: cross-validation over sequences, never
-            over frames.
-        error : callable
-            Of true and estimated poses, as a mean over frames.
-        units : array-like, shape (D,)
-            Of the outputs, which the SVM's tube is a multiple of.
-        groups : sequence of str, optional
-            Of each training sequence; without validation sequences, one group is left out at a
-            time, and no fold has sequences of a group on both sides.
-        """
-        whole = _Problem(self.basis, *_joined(train))
-        folds = [_Fold(whole, *_joined(validation))] if validation else self._folds(train, groups)
-        chosen = Chosen()
-        with bar("regression", len(folds) * (len(self.basis.widths()) + 1) + len(methods)) as step:
-            width, damping = self._width_and_damping(folds, error, chosen, step)
-            if "ridge" in methods:
-                regressor = RidgeRegressor(self.basis.basis(width), damping)
-                regressor.fit_system(*whole.system(width))
-                chosen.regressors["ridge"] = regressor
-            else:
-                chosen.rows.clear()
-            if "rvm" in methods:
-                chosen.regressors["rvm"] = self._rvm(folds, whole, width, error, chosen, step)
-            if "svm" in methods:
-                chosen.regressors["svm"] = self._svm(folds, whole, width, error, units, chosen)
-            for method in methods:
-                if (wanted := share(method)) is not None:
-                    chosen.regressors[method] = self._sparse(whole, width, wanted)
-                step(1)
-        chosen.regressors = {method: chosen.regressors[method] for method in methods}
-        return chosen
-
-    def _folds(self, train: Examples, groups: Sequence[str] | None) -> list[_Fold]:
-        """Make one fold of every group, or deal sequences into folds of about equal size."""
-        step = ceil(sum(len(z) for z, _ in train) / _FOLDED)
-        thinned = [(z[::step], x[::step]) for z, x in train]
-        return [
-            _Fold(_Problem(self.basis, *_joined(learnt)), *_joined(judged))
-            for learnt, judged in sequence_folds(thinned, most=_FOLDS, groups=groups)
-        ]
-
-    def _width_and_damping(
-        self, folds: list[_Fold], error: Error, chosen: Chosen, step: Callable[[int], None]
-    ) -> tuple[float, float]:
-        tried: dict[tuple[float, float], list[float]] = {}
-        for fold in folds:
-            for width in self.basis.widths():
-                basis, system = fold.problem.system(width)
-                for damping in numbers(self.ridge.damping, "ridge.damping"):
-                    regressor = RidgeRegressor(None, damping)
-                    regressor.fit_system(basis, system)
-                    tried.setdefault((width, damping), []).append(fold.error(regressor, error))
-                step(1)
-            if len(folds) > 1:
-                fold.problem.forget()
-        errors = {setting: _mean(values, folds) for setting, values in tried.items()}
-        for (width, damping), value in errors.items():
-            note(chosen, "ridge", 1.0, value, width=width, damping=damping)
-        return min(errors, key=errors.__getitem__)
-
-    def _rvm(
-        self,
-        folds: list[_Fold],
-        whole: _Problem,
-        width: float,
-        error: Error,
-        chosen: Chosen,
-        step: Callable[[int], None],
-    ) -> Regressor:
-        tried: dict[float, list[tuple[float, float]]] = {}
-        for fold in folds:
-            for regressor in self._path(fold.problem, width):
-                result = fold.error(regressor, error), regressor.kept_
-                tried.setdefault(regressor.nu_, []).append(result)
-            step(1)
-        errors = {nu: _mean([e for e, _ in values], folds) for nu, values in tried.items()}
-        kept = {nu: float(np.mean([k for _, k in values])) for nu, values in tried.items()}
-        for nu, value in errors.items():
-            note(chosen, "rvm", kept[nu], value, width=width, nu=nu)
-        bound = (1 + self.rvm.slack) * min(errors.values())
-        best = min((nu for nu in errors if errors[nu] <= bound), key=kept.__getitem__)
-        return next(r for r in self._path(whole, width) if r.nu_ == best)
-
-    def _path(self, problem: _Problem, width: float) -> Iterator[RelevanceVectorRegressor]:
-        """Regressors along rising ν, each started where the one before ended."""
-        basis, system = problem.system(width)
-        for nu in sorted(numbers(self.rvm.nu, "rvm.nu")):
-            if (width, nu) not in problem.states:
-                last = problem.states.get(width) or Bridges.start(system)
-                state = minimise_with_bridges(system, last, nu, self.rvm.max_iter, self.rvm.tol)
-                problem.states[width] = problem.states[width, nu] = state
-            regressor = RelevanceVectorRegressor(self.basis.basis(width), nu=nu, **self._limits())
-            regressor.use_fitted(basis, system, nu, problem.states[width, nu])
-            yield regressor
-
-    def _sparse(self, whole: _Problem, width: float, wanted: float) -> Regressor:
-        basis, system = whole.system(width)
-        regressor = RelevanceVectorRegressor(
-            self.basis.basis(width), nu=_FIRST_NU, keep_at_most=wanted, **self._limits()
-        )
-        count = max(1, int(wanted * basis.size_))
-        start = Bridges.start(system)
-        limits = self.rvm.max_iter, self.rvm.tol
-        regressor.use_fitted(
-            basis, system, *sparsest_within(system, count, _FIRST_NU, start, *limits)
-        )
-        return regressor
-
-    def _svm(
-        self,
-        folds: list[_Fold],
-        whole: _Problem,
-        width: float,
-        error: Error,
-        units: ArrayLike,
-        chosen: Chosen,
-    ) -> Regressor:
-        penalties = numbers(self.svm.penalty, "svm.penalty")
-        tube = self.svm.tube * np.asarray(units)
-        machines = {p: SupportVectorRegressor(None, tube, p, n_jobs=-1) for p in penalties}
-        if len(penalties) == 1:  # nothing to choose, and the slowest to fit
-            best = penalties[0]
+    check_methods(methods)
+    candidates = _without_idle_widths(candidates)
+    held_out = HeldOut(candidates.basis, error, train, validation, groups)
+    ridge = _ridge(held_out, candidates)
+    basis = {name: ridge.settings[name] for name in candidates.basis.names("width")}
+    svm = candidates.svm if units is None else candidates.svm.with_parameters(units=units)
+    choices: dict[str, Choice] = {}
+    for method in methods:
+        if method == "ridge":
+            choices[method] = ridge
+        elif method == "rvm":
+            choices[method] = _rvm(held_out, candidates, basis)
+        elif method == "svm":
+            choices[method] = _svm(held_out, svm, basis)
         else:
-            errors = {}
-            for penalty, machine in machines.items():
-                values = []
-                for fold in folds:
-                    machine.fit_basis(fold.problem.basis(width), fold.problem.z, fold.problem.x)
-                    values.append(fold.error(machine, error))
-                errors[penalty] = _mean(values, folds)
-                note(chosen, "svm", machine.kept_, errors[penalty], width=width, penalty=penalty)
-            best = min(errors, key=errors.__getitem__)
-        machines[best].fit_basis(whole.basis(width), whole.z, whole.x)
-        return machines[best]
-
-    def _limits(self) -> dict[str, Any]:
-        return {"max_iter": self.rvm.max_iter, "tol": self.rvm.tol}
+            choices[method] = _sparse_rvm(held_out, candidates.rvm, basis, method)
+    if set(methods) - {"svm"}:
+        held_out.whole.system(basis)  # once, before the others use it side by side
+    regressors = parallel_map(
+        Choice.regressor, list(choices.values()), description="fitting regressors", prefer="threads"
+    )
+    held_out.whole.forget()
+    rows = [row for choice in choices.values() for row in choice.rows]
+    return ChosenRegressors(dict(zip(choices, regressors, strict=True)), rows, choices)
 
 
-def note(chosen: Chosen, method: str, kept: float, error: float, **settings: float) -> None:
-    """Write down what a setting gave."""
-    row = {"method": method, **settings, "kept": kept, "validation_error": error}
-    chosen.rows.append(row)
+def _without_idle_widths(candidates: RegressionCandidates) -> RegressionCandidates:
+    """Try a single width where there are no kernels: it has no meaning there."""
+    basis = candidates.basis
+    if basis.estimator.kernel is not None or "kernel" in basis.grid:
+        return candidates
+    return replace(candidates, basis=basis.with_parameters(width=basis.values("width")[0]))
 
 
-@dataclass
-class _Problem:
-    """Training examples, with one kernel matrix for each width, and states of the paths over ν."""
-
-    settings: BasisSettings
-    z: Array
-    x: Array
-    systems: dict[float, tuple[Basis, NormalEquations]] = field(default_factory=dict)
-    states: dict[Any, Bridges] = field(default_factory=dict)
-
-    def basis(self, width: float) -> Basis:
-        return self.settings.basis(width).fit(self.z)
-
-    def system(self, width: float) -> tuple[Basis, NormalEquations]:
-        if width not in self.systems:
-            basis = self.basis(width)
-            self.systems[width] = basis, NormalEquations.of(basis.transform(self.z), self.x)
-        return self.systems[width]
-
-    def forget(self) -> None:
-        """Free the kernel matrices."""
-        self.systems.clear()
+def _ridge(held_out: HeldOut, candidates: RegressionCandidates) -> Choice:
+    basis, ridge = candidates.basis, candidates.ridge
+    names = basis.names("width")
+    settings = _products(basis.settings(*names), ridge.settings(*ridge.names("damping")))
+    fit = partial(TrainingSet.ridge, candidates=ridge)
+    return Choice(held_out, "ridge", fit, settings, fitted_once=names).score()
 
 
-@dataclass
-class _Fold:
-    problem: _Problem
-    z: Array
-    x: Array
-
-    def error(self, regressor: Regressor, error: Error) -> float:
-        return float(error(self.x, regressor.predict(self.z)))
-
-
-def _joined(examples: Examples) -> tuple[Array, Array]:
-    z, x = zip(*examples, strict=True)
-    return np.concatenate(z), np.concatenate(x)
+def _rvm(held_out: HeldOut, candidates: RegressionCandidates, basis: Settings) -> Choice:
+    rvm = candidates.rvm
+    rising = Candidates(rvm.estimator, {**rvm.grid, "nu": sorted(rvm.values("nu"))})
+    others = [name for name in rvm.grid if name != "nu"]
+    settings = _products([basis], rising.settings(*others, "nu"))
+    pick = partial(_sparsest, slack=candidates.slack)
+    fit = partial(TrainingSet.rvm, candidates=rvm)
+    return Choice(held_out, "rvm", fit, settings, path="nu", pick=pick).score()
 
 
-def _mean(errors: list[float], folds: list[_Fold]) -> float:
-    return float(np.average(errors, weights=[len(fold.z) for fold in folds]))
+def _sparse_rvm(
+    held_out: HeldOut, rvm: Candidates[RelevanceVectorRegressor], basis: Settings, method: str
+) -> Choice:
+    rvm = rvm.with_parameters(keep_at_most=share(method), nu=_FIRST_NU)
+    settings = _products([basis], rvm.settings(*rvm.names("nu")))
+    choice = Choice(held_out, method, partial(TrainingSet.rvm, candidates=rvm), settings)
+    return choice if len(settings) == 1 else choice.score()
+
+
+def _svm(held_out: HeldOut, svm: Candidates[SupportVectorRegressor], basis: Settings) -> Choice:
+    names = svm.names("penalty")
+    settings = _products([basis], svm.settings(*names))
+    fit = partial(TrainingSet.svm, candidates=svm)
+    choice = Choice(held_out, "svm", fit, settings, fitted_once=names)
+    return choice if len(settings) == 1 else choice.score()  # the slowest to fit
+
+
+def _sparsest(rows: Sequence[Row], slack: float) -> Row:
+    """Return the row that keeps least, of those whose error is little above the best."""
+    errors, kept = (
+        np.array([row[name] for row in rows], dtype=float) for name in ("validation_error", "kept")
+    )
+    good = errors <= (1 + slack) * errors.min()
+    return rows[int(np.where(good, kept, np.inf).argmin())]
+
+
+def _products(some: Sequence[Settings], others: Sequence[Settings]) -> list[Settings]:
+    return [one | other for one in some for other in others]

@@ -1,22 +1,20 @@
-"""Watching an RVM become sparse."""
+"""Every iteration of an RVM on its way to sparsity (Fig. 5)."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from silpose.core.types import Array, Indices
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
 
-Array = NDArray[np.float64]
-
 
 @dataclass(frozen=True)
 class BridgePath:
-    """What each iteration of the continuation left.
+    """Results of T iterations of the continuation.
 
     Attributes
     ----------
@@ -31,22 +29,30 @@ class BridgePath:
 
 
 def follow_bridges(
-    basis: Basis, z: Array, x: Array, nu: float, max_iter: int = 200, tol: float = 1e-2
+    basis: Basis, z: Array, x: Array, nu: float, *, max_iter: int = 200, tol: float = 1e-2
 ) -> BridgePath:
     """Fit an RVM as `RelevanceVectorRegressor` does, and keep every iteration.
 
     Parameters
     ----------
     basis : Basis
+        Fitted here.
     z : ndarray, shape (n, d)
     x : ndarray, shape (n, m)
-    nu, max_iter, tol
-        As there.
+    nu : float
+        ν of Eq. 5.
+    max_iter : int, default=200
+    tol : float, default=1e-2
+        As for `RelevanceVectorRegressor`.
+
+    Returns
+    -------
+    path : BridgePath
     """
     system = NormalEquations.of(basis.fit(z).transform(z), x)
     norms: list[Array] = []
 
-    def watch(kept: NDArray[np.intp], scale: Array) -> None:
+    def watch(kept: Indices, scale: Array) -> None:
         norms.append(np.zeros(basis.size_))
         norms[-1][kept] = scale
 

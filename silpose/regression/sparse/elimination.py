@@ -1,24 +1,22 @@
-"""Coming to a wanted sparsity: by raising ν, then by removing what is missed least."""
+"""Reach a target sparsity: raise ν, then remove columns by backward elimination."""
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 from scipy.linalg.blas import dger
 
-from silpose.regression.normal_equations import Indices, NormalEquations
+from silpose.core.types import Indices
+from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.sparse.quadratic_bridges import (
     START_DAMPING,
     Bridges,
     minimise_with_bridges,
 )
 
-Array = NDArray[np.float64]
-
-_MARGIN = 0.1  # share of all columns, beyond those wanted, that the bridges leave to elimination
-_STEP = 2.0  # factor between the ν's of the path
-_STEPS = 12  # to weaker ν's at most
+_MARGIN = 0.1  # share of all columns, beyond the target, that the bridges leave to elimination
+_STEP = 2.0  # factor between consecutive ν's
+_STEPS = 12  # weaker ν's that are tried at most
 _DAMPING = 0.1  # of the regression in which columns are compared
 
 
@@ -28,26 +26,28 @@ def sparsest_within(
     """Keep `count` columns: raise ν while many more are kept, then eliminate one by one.
 
     Bridges alone get stuck: at high ν the columns that survive are those that were large early
-    on. They choose most of what goes, cheaply; backward elimination, exact but cubic in the number
-    of columns, chooses the rest.
+    on. They remove most columns, cheaply; backward elimination, exact but cubic in the number of
+    columns, removes the rest.
 
     Parameters
     ----------
     system : NormalEquations
     count : int
+        Number of columns to keep.
     nu : float
         First ν of the path.
     start : Bridges
-        Where it begins.
-    max_iter, tol
+        Where the path begins.
+    max_iter : int
+    tol : float
         As for `minimise_with_bridges`.
 
     Returns
     -------
     nu : float
-        The last.
+        The last ν.
     end : Bridges
-        Its coefficients those of ridge regression on what is kept.
+        Its coefficients are those of ridge regression on the columns kept.
     """
     size = len(start.kept)
     enough = min(count + min(2 * count, int(_MARGIN * size)), size)
@@ -67,16 +67,30 @@ def sparsest_within(
 
 
 def eliminate(system: NormalEquations, kept: Indices, count: int) -> Indices:
-    """Remove columns one by one until `count` are left, always the one that is missed least."""
+    """Remove columns one by one, always the one whose loss raises the squared error least.
+
+    Parameters
+    ----------
+    system : NormalEquations
+    kept : ndarray of int, shape (k,)
+        Columns to begin with.
+    count : int
+        Number of columns to keep.
+
+    Returns
+    -------
+    kept : ndarray of int, shape (count,)
+    """
     while len(kept) > count:
-        removed = min(len(kept) - count, 1 + len(kept) // 5)  # then start from smaller matrices
+        removed = min(len(kept) - count, 1 + len(kept) // 5)  # then anew, with smaller matrices
         kept = _remove(system, kept, removed)
     return kept
 
 
 def _remove(system: NormalEquations, kept: Indices, number: int) -> Indices:
+    """Remove some columns by rank-one updates of one inverse."""
     # With P the inverse of the damped Gram matrix, losing a column raises the damped squared error
-    # by ‖a_k‖² / P_kk, and P and A follow by a rank-one update.
+    # by ‖a_k‖² / P_kk; P and A change by a rank-one update.
     gram = system.gram[np.ix_(kept, kept)]
     gram.flat[:: len(gram) + 1] += _DAMPING
     inverse = np.asfortranarray(cho_solve(cho_factor(gram, lower=True), np.eye(len(gram))))
@@ -89,5 +103,5 @@ def _remove(system: NormalEquations, kept: Indices, number: int) -> Indices:
         column = inverse[:, k] / inverse[k, k]
         a -= column[:, None] * a[k]
         dger(-1.0, column, inverse[k].copy(), a=inverse, overwrite_a=True)  # in place: large
-        inverse[k, k] = 1.0  # out of the game
+        inverse[k, k] = 1.0  # already removed
     return kept[alive]

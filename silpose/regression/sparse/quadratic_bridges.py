@@ -7,16 +7,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 from sklearn.exceptions import ConvergenceWarning
 
-from silpose.regression.normal_equations import Indices, NormalEquations, solve_damped
-
-Array = NDArray[np.float64]
+from silpose.core.types import Array, Indices
+from silpose.regression.normal_equations import NormalEquations, solve_damped
 
 START_DAMPING = 0.01  # of the ridge regression that starts the continuation
-_ZERO = 1e-2  # a column counts as zero below this share of the largest column's norm
-_TINY = 1e-150  # whose square is still a number
+_ZERO = 1e-2  # share of the largest column's norm below which a column counts as zero
+_TINY = 1e-150  # its square is still above 0
 
 
 @dataclass
@@ -30,9 +28,9 @@ class Bridges:
     a : ndarray, shape (k, m)
         The columns, as rows.
     damping : ndarray, shape (k,)
-        Of each column in the last minimisation: ν / 2 s_k².
-    history : list of (int, float)
-        After every iteration: number of columns and value of Eq. 5.
+        Damping of each column in the last minimisation: ν / 2 s_k².
+    history : list of (int, float), default=[]
+        Number of columns and value of Eq. 5 after every iteration.
     """
 
     kept: Indices
@@ -42,7 +40,7 @@ class Bridges:
 
     @classmethod
     def start(cls, system: NormalEquations) -> Bridges:
-        """Step 1 of Fig. 4: a ridge regression."""
+        """Step 1 of Fig. 4: ridge regression."""
         size = len(system.gram)
         return cls(np.arange(size), system.solve(START_DAMPING), np.full(size, START_DAMPING))
 
@@ -55,7 +53,7 @@ def minimise_with_bridges(
     tol: float,
     watch: Callable[[Indices, Array], None] = lambda kept, norms: None,
 ) -> Bridges:
-    """Minimise ‖F A - Y‖² + ν Σ_k log ‖a_k‖ from a start: steps 2 to 4 of Fig. 4.
+    """Minimise ‖F A - Y‖² + ν Σ_k log ‖a_k‖ (Eq. 5) from a start: steps 2 to 4 of Fig. 4.
 
     The bridge ν/2 (‖a_k‖ / s_k)² touches the penalty at s_k = ‖a_k‖ from above, so each
     minimisation lowers the objective. In the scaled unknowns B = S⁻¹A, S = diag(s), the step
@@ -65,9 +63,11 @@ def minimise_with_bridges(
     ----------
     system : NormalEquations
     start : Bridges
+    start : Bridges
     nu : float
         ν.
     max_iter : int
+        Number of iterations after which a ConvergenceWarning is issued.
     tol : float
         Converged once an iteration changes the coefficients by less than this share.
     watch : callable, optional

@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 import warnings
+from typing import ClassVar, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from sklearn.exceptions import ConvergenceWarning
 
 from silpose.core.errors import InputError
+from silpose.core.parameters import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    POSITIVE_INTEGER,
+    SHARE,
+    Constraints,
+    check_parameters,
+    one_of,
+)
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 from silpose.regression.sparse.elimination import sparsest_within
 from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
-
-Array = NDArray[np.float64]
-
-PRIORS = ("column", "component")
 
 
 class RelevanceVectorRegressor(Regressor):
@@ -27,19 +32,19 @@ class RelevanceVectorRegressor(Regressor):
 
     Parameters
     ----------
-    basis : Basis or None
-        None is the default basis.
-    prior : {"column", "component"}
+    basis : Basis or None, default=None
+        Basis functions, not fitted; None is `Basis()`.
+    prior : {"column", "component"}, default="column"
         R(A) = Σ_k log ‖a_k‖, which selects basis functions for all outputs at once, or
         R(A) = Σ_jk log |A_jk|, which selects for each output on its own.
-    nu : float
+    nu : float, default=8.0
         ν: the larger, the sparser. With `keep_at_most`, where the path begins.
-    keep_at_most : float or None
+    keep_at_most : float or None, default=None
         Share of the basis functions to keep: ν is chosen to keep somewhat more, and the rest
         is removed by backward elimination.
-    max_iter : int
-        For each ν.
-    tol : float
+    max_iter : int, default=200
+        Iterations at each ν.
+    tol : float, default=1e-2
         Converged once an iteration changes the coefficients by less than this share.
 
     Attributes
@@ -47,16 +52,30 @@ class RelevanceVectorRegressor(Regressor):
     nu_ : float
         The ν that was used last.
     n_iter_ : int
-        At that ν; with componentwise priors, the most that an output took.
+        Iterations at that ν; with componentwise priors, the most of any output.
     history_ : ndarray, shape (n_iter_, 2)
-        After every iteration at `nu_`: number of columns and value of Eq. 5. Empty with
-        componentwise priors.
+        Number of columns and value of Eq. 5 after every iteration at `nu_`; with componentwise
+        priors the value is NaN.
+
+    See Also
+    --------
+    RidgeRegressor : Keeps all basis functions.
+    follow_bridges : Norms of all columns at every iteration.
     """
+
+    constraints: ClassVar[Constraints] = {
+        "prior": one_of("column", "component"),
+        "nu": POSITIVE,
+        "keep_at_most": SHARE.or_none(),
+        "max_iter": POSITIVE_INTEGER,
+        "tol": NOT_NEGATIVE,
+    }
 
     def __init__(
         self,
         basis: Basis | None = None,
-        prior: str = "column",
+        *,
+        prior: Literal["column", "component"] = "column",
         nu: float = 8.0,
         keep_at_most: float | None = None,
         max_iter: int = 200,
@@ -70,43 +89,35 @@ class RelevanceVectorRegressor(Regressor):
         self.tol = tol
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
-        """Minimise Eq. 5 for normal equations already at hand."""
-        if self.nu <= 0:
-            raise InputError(f"nu must be positive, not {self.nu}")
-        if self.prior not in PRIORS:
-            raise InputError(f"prior is 'column' or 'component', not '{self.prior}'")
-        if self.keep_at_most is None:
-            fit = self._columns if self.prior == "column" else self._components
-            self.use_fitted(basis, system, self.nu, fit(system))
-            if not len(self.relevance_):
-                warnings.warn(
-                    f"nu={self.nu:.3g} removes all basis functions: the mean is predicted",
-                    ConvergenceWarning,
-                    stacklevel=3,
-                )
-            return
-        if not 0 < self.keep_at_most <= 1:
-            raise InputError(f"keep_at_most is a share up to 1, not {self.keep_at_most}")
-        if self.prior != "column":
-            raise InputError("keep_at_most wants prior='column': one set of relevance vectors")
-        count = max(1, int(self.keep_at_most * basis.size_))
+        """Minimise Eq. 5 for normal equations that are known already."""
+        check_parameters(self)
         start = Bridges.start(system)
-        nu, end = sparsest_within(system, count, self.nu, start, self.max_iter, self.tol)
-        self.use_fitted(basis, system, nu, end)
+        if self.keep_at_most is not None:
+            if self.prior != "column":
+                raise InputError("keep_at_most needs prior='column': one set of relevance vectors")
+            count = max(1, int(self.keep_at_most * basis.size_))
+            found = sparsest_within(system, count, self.nu, start, self.max_iter, self.tol)
+            self.use_fitted(basis, system, *found)
+            return
+        fit = self._columns if self.prior == "column" else self._components
+        self.use_fitted(basis, system, self.nu, fit(system, start))
+        if not len(self.relevance_):
+            warnings.warn(
+                f"nu={self.nu:.3g} removes all basis functions: the mean is predicted",
+                ConvergenceWarning,
+                stacklevel=3,
+            )
 
-    def _columns(self, system: NormalEquations) -> Bridges:
-        return minimise_with_bridges(
-            system, Bridges.start(system), self.nu, self.max_iter, self.tol
-        )
+    def _columns(self, system: NormalEquations, start: Bridges) -> Bridges:
+        return minimise_with_bridges(system, start, self.nu, self.max_iter, self.tol)
 
-    def _components(self, system: NormalEquations) -> Bridges:
-        """Solve for each output, and put what they keep together."""
-        start = Bridges.start(system).a
-        size, outputs = start.shape
+    def _components(self, system: NormalEquations, start: Bridges) -> Bridges:
+        """Minimise for each output, and unite the columns that any of them keeps."""
+        size, outputs = start.a.shape
         a, damping = np.zeros((size, outputs)), np.full((size, outputs), np.inf)
         steps: list[tuple[int, float]] = []
         for j in range(outputs):
-            ridge = Bridges(np.arange(size), start[:, [j]], np.zeros(size))
+            ridge = Bridges(np.arange(size), start.a[:, [j]], np.zeros(size))
             end = minimise_with_bridges(system.output(j), ridge, self.nu, self.max_iter, self.tol)
             a[end.kept, j], damping[end.kept, j] = end.a[:, 0], end.damping
             steps = max(steps, end.history, key=len)
@@ -116,7 +127,18 @@ class RelevanceVectorRegressor(Regressor):
         return Bridges(kept, a[kept], damping[kept].min(axis=1, initial=np.inf), history)
 
     def use_fitted(self, basis: Basis, system: NormalEquations, nu: float, end: Bridges) -> None:
-        """Become the regressor at the end of a path."""
+        """Use a solution that is known already, such as one on a path over several ν.
+
+        Parameters
+        ----------
+        basis : Basis
+            Fitted.
+        system : NormalEquations
+            Of its functions.
+        nu : float
+            The ν of the solution.
+        end : Bridges
+        """
         self.nu_ = nu
         self.history_ = np.array(end.history, dtype=float).reshape(-1, 2)
         self.n_iter_ = max(1, len(end.history))

@@ -1,74 +1,130 @@
-"""The multiple hypothesis tracker with the settings best on validation."""
+"""The multiple hypothesis tracker with the settings that are best on held-out takes."""
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache, partial
+
 from sklearn.base import clone
 
-from silpose.regression import MixtureOfRegressors
+from silpose.core.parallel import parallel_map
+from silpose.core.pose_space import PoseSpace
+from silpose.core.stages import timed
+from silpose.core.types import Array, Settings
+from silpose.regression import Candidates, ChosenMixture, Fold, MixtureOfRegressors, Outcome
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import KeyPoses
 from silpose.tracking.multiple_hypothesis_tracker import MultipleHypothesisTracker
-from silpose.tracking.selection.search import FEW_KEY_POSES, Examples, Maker, Selection
-from silpose.tracking.selection.settings import HypothesesSettings
-from silpose.tracking.selection.stacking import shares_of
+from silpose.tracking.selection.candidates import settings_to_choose
+from silpose.tracking.selection.stacking import choose_shares
+from silpose.tracking.selection.tracker_selection import (
+    FittedFold,
+    TrackerSelection,
+    error_outcome,
+)
+from silpose.tracking.selection.trackers import few_key_poses
 
-Array = NDArray[np.float64]
+_CHOSEN = ("process_noise", "likelihood_exponent", "velocity_gain")
+_MORE = (
+    "n_particles", "birth_probability", "surprise", "pose_width", "descriptor_width", "damping",
+)  # fmt: skip
 
 
-def choose_hypotheses(
-    selection: Selection,
-    settings: HypothesesSettings,
-    mixture: MixtureOfRegressors,
+@dataclass(frozen=True)
+class _Parts:
+    """The parts of a tracker that are fitted to a fold, whatever its settings."""
+
+    mixture: MixtureOfRegressors
+    dynamics: SecondOrderDynamics
+    keys: KeyPoses
+    poses: list[Array]
+
+    @classmethod
+    def fit(
+        cls,
+        candidates: Candidates[MultipleHypothesisTracker],
+        dynamics: SecondOrderDynamics,
+        fold_and_mixture: tuple[Fold, MixtureOfRegressors],
+    ) -> _Parts:
+        fold, mixture = fold_and_mixture
+        poses = [x for _, x in fold.train]
+        return cls(mixture, clone(dynamics).fit(poses), few_key_poses(candidates, fold), poses)
+
+    def use(self, tracker: MultipleHypothesisTracker) -> MultipleHypothesisTracker:
+        return tracker.use_fitted(self.mixture, self.dynamics, self.keys, self.poses)
+
+
+@timed("tracking")
+def choose_hypothesis_tracker(
+    selection: TrackerSelection,
+    candidates: Candidates[MultipleHypothesisTracker],
+    mixture: ChosenMixture,
     dynamics: SecondOrderDynamics,
 ) -> MultipleHypothesisTracker:
-    """Fit the tracker whose settings, then shares are best causally, with no start given.
+    """Fit the tracker whose settings, then whose shares are best without lag and known poses.
 
     Parameters
     ----------
-    selection : Selection
-    settings : HypothesesSettings
-    mixture, dynamics
-        Fitted to all training sequences, with settings that are chosen already.
+    selection : TrackerSelection
+        Accounts for it as method ``hypotheses``.
+    candidates : Candidates of MultipleHypothesisTracker
+        Shares regressed on the silhouette alone that are None are stacked.
+    mixture : ChosenMixture
+        Chosen on the same takes; fitted to all of them, and to each fold.
+    dynamics : SecondOrderDynamics
+        Fitted to all training takes, with the settings chosen already.
     """
-
-    def tracker(
-        keep: float = settings.keep, body_alone: float = 0.0, **chosen: float
-    ) -> MultipleHypothesisTracker:
-        return MultipleHypothesisTracker(
-            clone(mixture),
-            clone(dynamics),
-            selection.space.name,
-            settings.count,
-            fresh=settings.fresh,
-            keep=keep,
-            pose_width=settings.pose_width,
-            descriptor_width=settings.descriptor_width,
-            damping=settings.damping,
-            body_alone=body_alone,
-            frames_per_second=selection.frames_per_second,
-            random_state=settings.random_state,
-            **chosen,
-        )
-
-    def fitted(
-        learnt: Examples,
-    ) -> tuple[MixtureOfRegressors, SecondOrderDynamics, KeyPoses, list[Array]]:
-        z, x = (np.concatenate(part) for part in zip(*learnt, strict=True))
-        poses = [own for _, own in learnt]
-        keys = tracker(min(settings.keep, FEW_KEY_POSES / len(x))).key_poses(learnt)
-        return clone(mixture).fit(z, x), clone(dynamics).fit(poses), keys, poses
-
-    def family(learnt: Examples) -> Maker:
-        own = fitted(learnt)
-        return lambda **chosen: lambda z, _: tracker(**chosen).take(*own).track(z, modes=1).x
-
-    grid = {"drift": settings.drift, "trust": settings.trust, "past": settings.past}
-    best = selection.best("hypotheses", grid, family)
-    shares = shares_of(
-        "hypotheses", settings, selection, lambda some: tracker(**best).take(*fitted(some))
+    candidates = candidates.with_parameters(
+        mixture=clone(mixture.mixture),
+        dynamics=clone(dynamics),
+        space=selection.space.name,
+        frames_per_second=selection.frames_per_second,
     )
-    chosen = tracker(**best, **shares)
-    keys = chosen.key_poses(selection.train)
-    return chosen.use_fitted(mixture, dynamics, keys, [x for _, x in selection.train])
+    settings = settings_to_choose("hypotheses", candidates, *_CHOSEN, also=_MORE)
+
+    @cache
+    def fitted() -> list[FittedFold[_Parts]]:
+        folds = selection.folds
+        pairs = zip(folds, (own for _, own in mixture.by_fold), strict=True)
+        parts = parallel_map(
+            partial(_Parts.fit, candidates, dynamics), list(pairs), prefer="threads"
+        )
+        return [
+            FittedFold(fold.train, fold.validation, own)
+            for fold, own in zip(folds, parts, strict=True)
+        ]
+
+    chosen = selection.choose(
+        "hypotheses",
+        settings,
+        partial(_score, candidates, selection.space),
+        fitted,
+        fitted_once=list(settings[0]),
+        prefer="processes",
+    )
+    tracker = candidates.create(**chosen)
+    fit = partial(_fit, tracker)
+    shares = choose_shares(selection, "hypotheses", tracker, chosen, fit, fitted)
+    tracker.set_params(**shares)
+    poses = [x for _, x in selection.train]
+    return tracker.use_fitted(mixture.mixture, dynamics, tracker.key_poses(selection.train), poses)
+
+
+def _fit(tracker: MultipleHypothesisTracker, fold: FittedFold[_Parts]) -> MultipleHypothesisTracker:
+    return fold.fitted.use(clone(tracker))
+
+
+def _score(
+    candidates: Candidates[MultipleHypothesisTracker],
+    space: PoseSpace,
+    fold: FittedFold[_Parts],
+    settings: Sequence[Settings],
+) -> list[Outcome]:
+    found = []
+    for setting in settings:
+        tracker = candidates.create(**setting, heading_alone=0.0, body_alone=0.0)
+        fold.fitted.use(tracker)
+        tracked = [tracker.track(z, modes=1).x for z, _ in fold.validation]
+        found.append(error_outcome(space, fold, tracked))
+    return found

@@ -1,86 +1,134 @@
-"""How much of a tracker's estimate is better regressed on the silhouette alone (Breiman 1996)."""
+"""Shares of a tracker's estimate that are better regressed on the silhouette alone.
+
+L. Breiman, "Stacked regressions", Machine Learning 1996.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from silpose.core.progress import bar
-from silpose.tracking.belief_tracker import BeliefTracker
-from silpose.tracking.multiple_hypothesis_tracker import MultipleHypothesisTracker
-from silpose.tracking.selection.search import Examples, Selection
-from silpose.tracking.selection.settings import HypothesesSettings, TrackerSettings
+from silpose.core.parallel import parallel_map
+from silpose.core.pose_space import PoseSpace
+from silpose.core.types import Array, Row, Settings
+from silpose.regression import Outcome, search
+from silpose.tracking.key_pose_tracker import SHARES, KeyPoseTracker
+from silpose.tracking.selection.tracker_selection import FittedFold, TrackerSelection
 
-Array = NDArray[np.float64]
-AnyTracker = BeliefTracker | MultipleHypothesisTracker
-
-_PARTS = {"heading_alone": slice(0, 2), "body_alone": slice(2, None)}  # columns of a pose
+Parts = tuple[Array, Array]
+"""Estimates (F, D) on key poses, and what a share of 1 regressed on the silhouette alone adds."""
 
 
-def shares_of(
+def choose_shares(
+    selection: TrackerSelection,
     method: str,
-    settings: TrackerSettings | HypothesesSettings,
-    selection: Selection,
-    fitted: Callable[[Examples], AnyTracker],
+    tracker: KeyPoseTracker,
+    settings: Settings,
+    fit: Callable[[Any], KeyPoseTracker],
+    fitted: Callable[[], Sequence[FittedFold]],
 ) -> dict[str, float]:
-    """Shares of the heading and of the body: those that are given, else stacked.
+    """Return the shares of the heading and of the body: those that are given, else stacked.
 
     Parameters
     ----------
+    selection : TrackerSelection
     method : str
-        For the selection's account.
-    settings : TrackerSettings or HypothesesSettings
-    selection, fitted
-        As `stacked_shares` has them; what it returns is returned.
-    """
-    given = {name: getattr(settings, name) for name in _PARTS}
-    known = {name: share for name, share in given.items() if share is not None}
-    if len(known) == len(given):
-        return known
-    shares = stacked_shares(selection, fitted) | known
-    selection.rows.append({"method": method, **shares})
-    return shares
-
-
-def stacked_shares(
-    selection: Selection, fitted: Callable[[Examples], AnyTracker]
-) -> dict[str, float]:
-    """Shares, of the heading and of the body, that leave the least squares on held-out sequences.
-
-    The squares of a fold count in units of what the tracker itself leaves there: a sequence that
-    resembles no other is not to decide.
-
-    Parameters
-    ----------
-    selection : Selection
+    tracker : KeyPoseTracker
+        Whose parameters give shares, or None.
+    settings : dict
+        Chosen already.
+    fit : callable
+        Maps a fold to a tracker that is fitted to it, with these settings.
     fitted : callable
-        From sequences to a tracker fitted to them.
+        Returns the folds that `fit` takes.
 
     Returns
     -------
     shares : dict
         ``heading_alone`` and ``body_alone``, each from 0 to 1.
     """
-    gain, cost = dict.fromkeys(_PARTS, 0.0), dict.fromkeys(_PARTS, 0.0)
-    pairs = selection.folds()
-    with bar("stacking", len(pairs)) as advance:
-        for learnt, judged in pairs:
-            tracker = fitted(learnt)
-            true = np.concatenate([x for _, x in judged])
-            tracked = _tracked(tracker, judged, 0.0)
-            alone = _tracked(tracker, judged, 1.0) - tracked
-            for name, columns in _PARTS.items():
-                off, step = (true - tracked)[:, columns], alone[:, columns]
-                left = max(float((off**2).sum()), 1e-12)
-                gain[name] += float((step * off).sum()) / left
-                cost[name] += float((step**2).sum()) / left
-            advance(1)
-    return {n: min(max(gain[n] / cost[n], 0.0), 1.0) if cost[n] > 0 else 0.0 for n in _PARTS}
+    given = {name: getattr(tracker, name) for name in SHARES}
+    known = {name: share for name, share in given.items() if share is not None}
+    if len(known) == len(given):
+        if any(known.values()):  # settings were chosen without them
+            selection.score_later(
+                method,
+                lambda: _recorded(selection, method, settings, known, _tracked(fit, fitted())),
+            )
+        return known
+    tracked = _tracked(fit, fitted())
+    shares = stacked_shares(tracked) | known
+    selection.record_error(method, _recorded(selection, method, settings, shares, tracked))
+    return shares
 
 
-def _tracked(tracker: AnyTracker, sequences: Examples, share: float) -> Array:
-    """Estimates of all frames, if this share is regressed on the silhouette alone."""
-    tracker.set_params(heading_alone=share, body_alone=share)
-    return np.concatenate([tracker.track(z).x for z, _ in sequences])
+def stacked_shares(tracked: Sequence[FittedFold[Parts]]) -> dict[str, float]:
+    """Return the shares that leave the least squares on held-out takes.
+
+    The squares of a fold are relative to those that the tracker itself leaves there, so that a
+    take that resembles no other does not decide.
+
+    Parameters
+    ----------
+    tracked : sequence of FittedFold
+        With both parts of the estimates of the held-out frames.
+
+    Returns
+    -------
+    shares : dict
+        ``heading_alone`` and ``body_alone``, each from 0 to 1.
+    """
+    gain, cost = dict.fromkeys(SHARES, 0.0), dict.fromkeys(SHARES, 0.0)
+    for fold in tracked:
+        local, change = fold.fitted
+        for name, columns in SHARES.items():
+            off, step = (fold.x_validation - local)[:, columns], change[:, columns]
+            left = max(float((off**2).sum()), 1e-12)
+            gain[name] += float((step * off).sum()) / left
+            cost[name] += float((step**2).sum()) / left
+    return {n: min(max(gain[n] / cost[n], 0.0), 1.0) if cost[n] > 0 else 0.0 for n in SHARES}
+
+
+def _tracked(
+    fit: Callable[[Any], KeyPoseTracker], fitted: Sequence[FittedFold]
+) -> list[FittedFold[Parts]]:
+    """Track the held-out takes of every fold, once for all shares."""
+    parts = parallel_map(partial(_parts, fit), fitted, description="stacking", prefer="processes")
+    return [FittedFold((), fold.validation, own) for fold, own in zip(fitted, parts, strict=True)]
+
+
+def _parts(fit: Callable[[Any], KeyPoseTracker], fold: FittedFold) -> Parts:
+    tracker = fit(fold)
+    local, change = zip(*(tracker.track_separately(z) for z, _ in fold.validation), strict=True)
+    return np.concatenate(local), np.concatenate(change)
+
+
+def _recorded(
+    selection: TrackerSelection,
+    method: str,
+    settings: Settings,
+    shares: dict[str, float],
+    tracked: Sequence[FittedFold[Parts]],
+) -> Row:
+    """Account for the error that the shares leave on held-out takes."""
+    (row,) = search(
+        partial(_score, selection.space), tracked, [{**settings, **shares}], method=method
+    )
+    selection.rows.append(row)
+    return row
+
+
+def _score(
+    space: PoseSpace, fold: FittedFold[Parts], settings: Sequence[dict[str, Any]]
+) -> list[Outcome]:
+    local, change = fold.fitted
+    found = []
+    for setting in settings:
+        estimated = local.copy()
+        for name, columns in SHARES.items():
+            estimated[:, columns] += setting[name] * change[:, columns]
+        found.append(Outcome.of(space.distance(fold.x_validation, estimated).mean()))
+    return found

@@ -1,195 +1,194 @@
-"""Trackers, and the rivals they are measured against, each with the settings best on validation."""
+"""Trackers and dynamics with the settings that are best on held-out takes."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-from functools import cache
+from collections.abc import Sequence
+from functools import cache, partial
 
 import numpy as np
-from numpy.typing import NDArray
 from sklearn.base import clone
 
-from silpose.regression import RidgeRegressor
+from silpose.core.pose_space import PoseSpace
+from silpose.core.stages import timed
+from silpose.core.types import Array, Settings
+from silpose.regression import Candidates, Fold, Outcome
 from silpose.tracking.belief_tracker import BeliefTracker
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import KeyPoses
-from silpose.tracking.selection.search import (
+from silpose.tracking.selection.candidates import settings_to_choose
+from silpose.tracking.selection.stacking import choose_shares
+from silpose.tracking.selection.tracker_selection import (
     FEW_KEY_POSES,
     Estimate,
-    Examples,
-    Family,
-    Maker,
-    Selection,
+    FittedFold,
+    TrackerSelection,
+    error_outcome,
+    outcomes,
 )
-from silpose.tracking.selection.settings import (
-    DynamicsSettings,
-    JointSettings,
-    RivalSettings,
-    TrackerSettings,
-)
-from silpose.tracking.selection.stacking import shares_of
 from silpose.tracking.single_pose_tracker import SinglePoseTracker
-from silpose.tracking.smoothing_baselines import fuse, smooth, viterbi, windowed
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
-
-Array = NDArray[np.float64]
 
 _FEW_KERNELS = 700  # of the paper's tracker while its widths are being chosen,
 _FEW_EXAMPLES = 10_000  # from which they learn
 
-
-def choose_tracker(selection: Selection, settings: TrackerSettings) -> BeliefTracker:
-    """Fit the tracker whose kernel widths, then whose shares are best when it may not wait."""
-
-    def tracker(
-        keep: float = settings.keep,
-        heading_alone: float = 0.0,
-        body_alone: float = 0.0,
-        **chosen: float,
-    ) -> BeliefTracker:
-        return BeliefTracker(
-            selection.space.name,
-            keep,
-            restart=settings.restart,
-            frames_per_second=selection.frames_per_second,
-            random_state=settings.random_state,
-            heading_alone=heading_alone,
-            body_alone=body_alone,
-            **chosen,
-        )
-
-    def key_poses(learnt: Examples) -> KeyPoses:
-        frames = sum(len(x) for _, x in learnt)
-        return tracker(min(settings.keep, FEW_KEY_POSES / frames)).key_poses(learnt)
-
-    def family(learnt: Examples) -> Maker:
-        keys = key_poses(learnt)
-        fitted = cache(lambda pose_width: tracker(pose_width=pose_width).take(keys))
-        return lambda pose_width, **rest: (
-            lambda z, _: fitted(pose_width).set_params(**rest).track(z).x
-        )
-
-    grid = {
-        "pose_width": settings.pose_width,
-        "descriptor_width": settings.descriptor_width,
-        "damping": settings.damping,
-    }
-    best = selection.best("tracker", grid, family)
-    shares = shares_of(
-        "tracker", settings, selection, lambda some: tracker(**best).take(key_poses(some))
-    )
-    return tracker(**best, **shares).fit(selection.train)
+Sampled = tuple[Array, Array, Array]
+"""Predictions, descriptors and poses, as `observed_and_sampled` returns them."""
 
 
-def choose_dynamics(selection: Selection, settings: DynamicsSettings) -> SecondOrderDynamics:
-    """Fit the dynamics that best predict a frame from the two before it."""
-    ahead = replace(  # whose inputs are the poses themselves
-        selection,
-        train=[(x, x) for _, x in selection.train],
-        validation=[(x, x) for _, x in selection.validation],
-    )
-
-    def family(learnt: Examples) -> Maker:
-        def estimate(damping: float) -> Estimate:
-            model = SecondOrderDynamics(damping).fit([x for x, _ in learnt])
-            return lambda x, _: np.vstack([x[:2], model.predict(x[1:-1], x[:-2])])[: len(x)]
-
-        return estimate
-
-    best = ahead.best("dynamics", {"damping": settings.damping}, family)
-    return SecondOrderDynamics(**best).fit([x for _, x in selection.train])
-
-
-def choose_joint(
-    selection: Selection, settings: JointSettings, dynamics: SecondOrderDynamics
-) -> SinglePoseTracker:
-    """Fit the paper's tracker, its kernel widths the best."""
-
-    def regressor(centres: int, keep: float | None, **widths: float) -> StateSensitiveRegressor:
-        return StateSensitiveRegressor(
-            linear=settings.linear,
-            damping=settings.damping,
-            centres=centres,
-            keep_at_most=keep,
-            random_state=settings.random_state,
-            **widths,
-        )
-
-    def family(learnt: Examples) -> Maker:
-        ahead = clone(dynamics).fit([x for _, x in learnt])
-        examples = observed_and_sampled(learnt, ahead, settings.samples, most=_FEW_EXAMPLES)
-
-        def estimate(**widths: float) -> Estimate:
-            few = regressor(min(_FEW_KERNELS, settings.centres), None, **widths).fit(*examples)
-            return lambda z, start: SinglePoseTracker(ahead, few).track(z, start)[0]
-
-        return estimate
-
-    grid = {
-        "pose_width": settings.pose_width,
-        "descriptor_width": settings.descriptor_width,
-    }
-    best = selection.best("joint", grid, family)
-    all_kernels = regressor(settings.centres, settings.keep_at_most, **best)
-    return SinglePoseTracker(clone(dynamics), all_kernels, settings.samples).fit(selection.train)
-
-
-def choose_rivals(
-    selection: Selection,
-    settings: RivalSettings,
-    ridge: RidgeRegressor,
-    dynamics: SecondOrderDynamics,
-) -> dict[str, Estimate]:
-    """Give what else makes single-image answers smooth, by method.
+@timed("tracking")
+def choose_belief_tracker(
+    selection: TrackerSelection, candidates: Candidates[BeliefTracker]
+) -> BeliefTracker:
+    """Fit the tracker whose kernel widths, then whose shares are best without lag.
 
     Parameters
     ----------
-    selection : Selection
-    settings : RivalSettings
-    ridge : RidgeRegressor
-        The single-image regressor, whose settings are chosen already.
-    dynamics : SecondOrderDynamics
-        Likewise.
+    selection : TrackerSelection
+        Accounts for it as method ``tracker``.
+    candidates : Candidates of BeliefTracker
+        Shares regressed on the silhouette alone that are None are stacked.
     """
+    candidates = candidates.with_parameters(
+        space=selection.space.name, frames_per_second=selection.frames_per_second
+    )
+    settings = settings_to_choose(
+        "tracker", candidates, "pose_width", "descriptor_width", "damping", also=("restart",)
+    )
+    fitted = cache(lambda: selection.fitted_folds(partial(few_key_poses, candidates)))
+    scorer = partial(_score_beliefs, candidates, selection.space)
+    chosen = selection.choose(
+        "tracker", settings, scorer, fitted, fitted_once=("pose_width",), prefer="processes"
+    )
+    tracker = candidates.create(**chosen)
+    fit = partial(_fit_to_key_poses, tracker)
+    shares = choose_shares(selection, "tracker", tracker, chosen, fit, fitted)
+    return tracker.set_params(**shares).fit(selection.train)
 
-    def regressor(learnt: Examples, window: int = 1) -> RidgeRegressor:
-        z = np.concatenate([windowed(z, window) for z, _ in learnt])
-        twin = RidgeRegressor(ridge.basis, ridge.damping)
-        twin.fit(z, np.concatenate([x for _, x in learnt]))
-        return twin
 
-    def smoothed(learnt: Examples) -> Maker:
-        single = regressor(learnt)
-        return lambda smoothing: lambda z, _: smooth(single.predict(z), smoothing)
+def few_key_poses(candidates: Candidates, fold: Fold) -> KeyPoses:
+    """Cluster the training poses of a fold, into few key poses while settings are chosen."""
+    keep = min(candidates.estimator.keep, FEW_KEY_POSES / len(fold.x))
+    keys: KeyPoses = candidates.create(keep=keep).key_poses(fold.train)
+    return keys
 
-    def fused(learnt: Examples) -> Maker:
-        single = regressor(learnt)
-        ahead = clone(dynamics).fit([x for _, x in learnt])
-        return lambda weight: lambda z, _: fuse(single.predict(z), ahead, weight)
 
-    def wide(learnt: Examples) -> Maker:
-        def estimate(window: int) -> Estimate:
-            several = regressor(learnt, window)
-            return lambda z, _: several.predict(windowed(z, window))
+def _fit_to_key_poses(tracker: BeliefTracker, fold: FittedFold[KeyPoses]) -> BeliefTracker:
+    return clone(tracker).use_fitted(fold.fitted)
 
-        return estimate
 
-    def path(learnt: Examples) -> Maker:
-        z_train, x_train = (np.concatenate(part) for part in zip(*learnt, strict=True))
-        return lambda neighbours, weight, smoothing: (
-            lambda z, _: smooth(viterbi(z_train, x_train, z, neighbours, weight), smoothing)
-        )
+def _score_beliefs(
+    candidates: Candidates[BeliefTracker],
+    space: PoseSpace,
+    fold: FittedFold[KeyPoses],
+    settings: Sequence[Settings],
+) -> list[Outcome]:
+    tracker = candidates.create(heading_alone=0.0, body_alone=0.0)
+    compared = [fold.fitted.examples.compare(z) for z, _ in fold.validation]
+    found: list[Outcome] = []
+    last: Settings = {}
+    for setting in settings:
+        changed = {name for name in setting if name not in last or last[name] != setting[name]}
+        tracker.set_params(**setting)
+        if changed & {"pose_width", "restart"}:
+            tracker.use_fitted(fold.fitted)
+        if changed - {"damping"}:  # which has no influence on beliefs
+            beliefs = [tracker.filtered(own)[0] for own in compared]
+        estimated = map(tracker.regress, beliefs, compared)
+        found.append(error_outcome(space, fold, estimated))
+        last = setting
+    return found
 
-    smoothing = {"smoothing": settings.smoothing}
-    several = {"neighbours": settings.neighbours, "weight": settings.viterbi_weight}
-    rivals: dict[str, tuple[dict, Family]] = {
-        "smoothed": (smoothing, smoothed),
-        "fused": ({"weight": settings.fusion}, fused),
-        "windowed": ({"window": settings.window}, wide),
-        "nearest_smoothed": ({"neighbours": 1, "weight": 0.0} | smoothing, path),
-        "nearest_viterbi": (several | smoothing, path),
-    }
-    return {
-        method: family(selection.train)(**selection.best(method, grid, family))
-        for method, (grid, family) in rivals.items()
-    }
+
+@timed("tracking")
+def choose_dynamics(
+    selection: TrackerSelection, candidates: Candidates[SecondOrderDynamics]
+) -> SecondOrderDynamics:
+    """Fit the dynamics that best predict a frame from the two before it.
+
+    Parameters
+    ----------
+    selection : TrackerSelection
+        Accounts for it as method ``dynamics``.
+    candidates : Candidates of SecondOrderDynamics
+    """
+    settings = settings_to_choose("dynamics", candidates, "damping")
+    scorer = partial(_score_dynamics, candidates, selection.space)
+    chosen = selection.choose("dynamics", settings, scorer, lambda: selection.folds)
+    return candidates.create(**chosen).fit([x for _, x in selection.train])
+
+
+def _score_dynamics(
+    candidates: Candidates[SecondOrderDynamics],
+    space: PoseSpace,
+    fold: Fold,
+    settings: Sequence[Settings],
+) -> list[Outcome]:
+    found = []
+    for setting in settings:
+        model = candidates.create(**setting).fit([x for _, x in fold.train])
+        predicted = [
+            np.vstack([x[:2], model.predict(x[1:-1], x[:-2])])[: len(x)] for _, x in fold.validation
+        ]
+        found.append(error_outcome(space, fold, predicted))
+    return found
+
+
+@timed("tracking")
+def choose_single_pose_tracker(
+    selection: TrackerSelection,
+    candidates: Candidates[StateSensitiveRegressor],
+    single_pose: Candidates[SinglePoseTracker],
+    dynamics: SecondOrderDynamics,
+) -> SinglePoseTracker:
+    """Fit the paper's tracker, with the kernel widths that are best.
+
+    Parameters
+    ----------
+    selection : TrackerSelection
+        Accounts for it as method ``state_sensitive``.
+    candidates : Candidates of StateSensitiveRegressor
+    single_pose : Candidates of SinglePoseTracker
+        Nothing is chosen of them.
+    dynamics : SecondOrderDynamics
+        With the settings chosen already.
+    """
+    settings_to_choose("single_pose", single_pose)
+    tracker = single_pose.create(dynamics=dynamics, frames_per_second=selection.frames_per_second)
+    settings = settings_to_choose(
+        "state_sensitive", candidates, "pose_width", "descriptor_width", also=("damping", "linear")
+    )
+    chosen = selection.choose(
+        "state_sensitive",
+        settings,
+        partial(_score_single_pose, tracker, candidates, selection.space),
+        lambda: selection.fitted_folds(partial(_observed_and_sampled, tracker)),
+        fitted_once=list(settings[0]),
+    )
+    return tracker.set_params(regressor=candidates.create(**chosen)).fit(selection.train)
+
+
+def _observed_and_sampled(
+    tracker: SinglePoseTracker, fold: Fold
+) -> tuple[SecondOrderDynamics, Sampled]:
+    """Fit dynamics to a fold, and sample training examples around their predictions."""
+    dynamics = clone(tracker.dynamics).fit([x for _, x in fold.train])
+    examples = observed_and_sampled(fold.train, dynamics, tracker.samples, most=_FEW_EXAMPLES)
+    return dynamics, examples
+
+
+def _score_single_pose(
+    tracker: SinglePoseTracker,
+    candidates: Candidates[StateSensitiveRegressor],
+    space: PoseSpace,
+    fold: FittedFold[tuple[SecondOrderDynamics, Sampled]],
+    settings: Sequence[Settings],
+) -> list[Outcome]:
+    few = min(_FEW_KERNELS, candidates.estimator.centres)
+    dynamics, examples = fold.fitted
+
+    def estimate(setting: Settings) -> Estimate:
+        regressor = candidates.create(**setting, centres=few, keep_at_most=None).fit(*examples)
+        fitted = clone(tracker).use_fitted(dynamics, regressor)
+        return lambda z, start: fitted.track(z, start).x
+
+    return outcomes(space, fold, map(estimate, settings))

@@ -4,7 +4,7 @@ import pytest
 from silpose.core.errors import InputError
 from silpose.motion import Motion, Straight, WalkerModel
 from silpose.motion.walker.fit_walker import fit, principal_components
-from silpose.motion.walker.walker_model import FILE, pack, unpack
+from silpose.motion.walker.walker_model import pack
 
 
 def test_fit_recovers_walkers_and_their_variation(tmp_path):
@@ -30,7 +30,7 @@ def test_fit_recovers_walkers_and_their_variation(tmp_path):
     np.testing.assert_allclose(read.variation.posture, fitted.variation.posture, rtol=1e-4)
 
 
-def test_performers_count_the_same():
+def test_performers_have_the_same_weight():
     rows = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 0.0]])
     mean, components = principal_components(rows, np.array([1 / 2, 1 / 6, 1 / 6, 1 / 6]))
     np.testing.assert_allclose(mean, [0.5, 0.0])
@@ -41,16 +41,3 @@ def test_nobody_walks():
     still = Motion("still", "someone", 30.0, np.zeros((100, 54)), np.zeros((100, 3)))
     with pytest.raises(InputError, match="steady walking"):
         fit([[still]])
-
-
-def test_pack_and_unpack_are_inverse():
-    model = WalkerModel.load()
-    walker = model.sample(np.random.default_rng(0))
-    packed = pack(walker.mean, walker.harmonics, walker.cadence)
-    again = unpack(packed, walker.variation)
-    np.testing.assert_allclose(again.harmonics, walker.harmonics)
-    assert again.cadence == pytest.approx(walker.cadence)
-
-
-def test_the_file_that_comes_along_is_small():
-    assert FILE.stat().st_size < 100_000

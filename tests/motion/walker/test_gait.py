@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose.motion import Circle, Motion, Straight, Walker, WalkerModel
-from silpose.motion.walker.gait import fit_harmonics, mirrored, steady_steps
+from silpose.motion.walker.gait import fit_harmonics, mirrored_gait, steady_steps
 
 
 @pytest.fixture(scope="module")
@@ -31,8 +31,8 @@ def test_standing_is_not_walking(walker):
 
 
 def test_mirror_twice_is_the_same_walk(walker):
-    once = mirrored(walker.mean, walker.harmonics)
-    twice = mirrored(*once)
+    once = mirrored_gait(walker.mean, walker.harmonics)
+    twice = mirrored_gait(*once)
     np.testing.assert_allclose(twice[0], walker.mean)
     np.testing.assert_allclose(twice[1], walker.harmonics)
     assert not np.allclose(once[0], walker.mean)

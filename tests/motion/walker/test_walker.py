@@ -18,11 +18,6 @@ def walkers(model):
     return [model.sample(rng) for _ in range(40)]
 
 
-def points(motion):
-    rotations = skeleton.rotations_from_angles(motion.angles)
-    return skeleton.forward_kinematics(rotations)[0] + motion.root_position[:, None]
-
-
 def soles(motion):
     """Heels and balls of both feet in the world, shape (F, 4, 3)."""
     rotations = skeleton.rotations_from_angles(motion.angles)
@@ -33,20 +28,6 @@ def soles(motion):
         if ankle in skeleton.SOLES
     ]
     return np.concatenate(feet, axis=1) + motion.root_position[:, None]
-
-
-def lead(motion, end):
-    """How far the left end is before the right one, for a walk towards +Z."""
-    left, right = (skeleton.POINTS.index(f"{side}_{end}") for side in ("left", "right"))
-    return points(motion)[:, left, 2] - points(motion)[:, right, 2]
-
-
-def test_arms_swing_against_the_legs(walkers):
-    for walker in walkers:
-        motion = walker.walk(Straight(), 5.0, 30.0, np.random.default_rng(1))
-        arms, legs = lead(motion, "wrist"), lead(motion, "ankle")
-        assert legs.min() < -0.2 and legs.max() > 0.2
-        assert np.corrcoef(arms, legs)[0, 1] < 0.3
 
 
 def test_left_ankle_passes_forward_at_phase_zero(walkers):
@@ -70,7 +51,7 @@ def test_angles_are_plausible(walkers):
         assert 0.3 < walker.speed < 2.2 and 0.4 < walker.cadence < 1.3
 
 
-def test_feet_stand_on_the_ground_and_do_not_skate(walkers):
+def test_feet_stand_on_the_ground_and_do_not_slip(walkers):
     for walker in walkers:
         motion = walker.walk(Straight(), 6.0, 60.0, np.random.default_rng(1))
         rotations = skeleton.rotations_from_angles(motion.angles)
@@ -109,11 +90,8 @@ def test_no_two_strides_are_alike(walkers):
             assert np.abs(strides[i] - strides[j]).mean() > 0.5
 
 
-def test_deterministic_by_seed(model):
+def test_walks_are_deterministic_by_seed(walkers):
     rng = np.random.default_rng
-    first, again, other = (model.sample(rng(seed)) for seed in (7, 7, 8))
-    np.testing.assert_array_equal(first.mean, again.mean)
-    assert np.abs(first.mean - other.mean).max() > 1
-    walks = [first.walk(Straight(), 3.0, 15.0, rng(seed)).angles for seed in (1, 1, 2)]
+    walks = [walkers[0].walk(Straight(), 3.0, 15.0, rng(seed)).angles for seed in (1, 1, 2)]
     np.testing.assert_array_equal(walks[0], walks[1])
     assert np.abs(walks[0] - walks[2]).max() > 1

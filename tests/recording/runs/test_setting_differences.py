@@ -1,13 +1,7 @@
-from silpose.recording.runs.setting_differences import differing, flat, typed
+from silpose.recording.runs.setting_differences import differing
 
 
-def test_names_are_those_of_the_command_line():
-    settings = {"seed": 0, "regression": {"rvm": {"nu": [3, 10]}}, "values": None}
-    assert dict(flat(settings)) == {"seed": 0, "regression.rvm.nu": [3, 10], "values": None}
-    assert [typed(value) for _, value in flat(settings)] == ["0", "[3, 10]", "null"]
-
-
-def test_only_what_differs_is_told():
+def test_only_what_differs_is_kept():
     first = {"seed": 0, "ridge": {"damping": 0.1}, "recording": {"name": "a"}}
     second = {"seed": 0, "ridge": {"damping": [0.1, 1]}, "recording": {"name": "b"}, "nu": 3}
     assert differing([first, second]) == [

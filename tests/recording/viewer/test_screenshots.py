@@ -6,14 +6,14 @@ from silpose.core.errors import InputError
 from silpose.recording import film, picture
 
 
-def test_a_frame_is_painted(finished, tmp_path, painting):
+def test_a_frame_is_drawn(finished, tmp_path, drawing):
     picture(finished.recording, 10, tmp_path / "whole.png", width=800)
     whole = cv2.imread(str(tmp_path / "whole.png"))
     assert whole.shape[1] == 800
     assert whole.std() > 10
 
 
-def test_a_stretch_moves(finished, tmp_path, painting):
+def test_a_stretch_moves(finished, tmp_path, drawing):
     film(finished.recording, range(0, 9, 4), tmp_path / "f.gif", view="mask", width=300)
     with Image.open(tmp_path / "f.gif") as gif:
         assert gif.n_frames == 3
@@ -22,7 +22,7 @@ def test_a_stretch_moves(finished, tmp_path, painting):
     assert int(video.get(cv2.CAP_PROP_FRAME_COUNT)) == 2
 
 
-def test_what_cannot_be_painted_is_said(finished, tmp_path, painting):
+def test_what_cannot_be_drawn_is_named(finished, tmp_path, drawing):
     with pytest.raises(InputError, match="no view's title begins with 'foo'; there are"):
         picture(finished.recording, 0, tmp_path / "no.png", view="foo")
     with pytest.raises(InputError, match=r"end in \.gif or \.mp4"):
@@ -31,7 +31,7 @@ def test_what_cannot_be_painted_is_said(finished, tmp_path, painting):
         film(finished.recording, [], tmp_path / "f.gif")
 
 
-def test_no_driver_and_no_place_are_said(finished, tmp_path, read_only, monkeypatch):
+def test_a_missing_driver_and_a_closed_folder_are_named(finished, tmp_path, read_only, monkeypatch):
     with pytest.raises(InputError, match=r"cannot write '.*p\.png'"):
         picture(finished.recording, 0, read_only / "p.png")
     panics = tmp_path / "rerun"

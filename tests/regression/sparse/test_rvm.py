@@ -1,32 +1,14 @@
-from itertools import pairwise
-
 import numpy as np
 import pytest
 from sklearn.exceptions import ConvergenceWarning
 
 from silpose.core.errors import InputError
 from silpose.regression import Basis, RelevanceVectorRegressor, RidgeRegressor
-from silpose.regression.normal_equations import NormalEquations
-from silpose.regression.sparse.elimination import eliminate
-from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
 
 
 def error(regressor, data):
     z, x = data
     return np.abs(regressor.predict(z) - x).mean()
-
-
-def test_finds_the_few_columns_that_matter():
-    rng = np.random.default_rng(0)
-    features = rng.normal(size=(200, 30))
-    truth = np.zeros((30, 4))
-    truth[[3, 11, 25]] = rng.normal(size=(3, 4))
-    outputs = features @ truth + 0.01 * rng.normal(size=(200, 4))
-    system = NormalEquations.of(features, outputs)
-    end = minimise_with_bridges(system, Bridges.start(system), 1.0, 200, 1e-6)
-    np.testing.assert_array_equal(end.kept, [3, 11, 25])
-    coefficients, _ = system.unscaled(end.a, end.kept)
-    np.testing.assert_allclose(coefficients, truth[end.kept], atol=0.05)
 
 
 def test_sparse_and_nearly_as_good_as_ridge(smooth):
@@ -40,21 +22,11 @@ def test_sparse_and_nearly_as_good_as_ridge(smooth):
 def test_relevance_vectors_are_training_rows(smooth):
     (z, x), _ = smooth
     regressor = RelevanceVectorRegressor(nu=0.1).fit(z, x)
-    np.testing.assert_array_equal(regressor.basis_.centres_, z[regressor.relevance_])
+    np.testing.assert_array_equal(regressor.basis_.centres_, np.sqrt(z[regressor.relevance_]))
     assert regressor.coef_.shape == (len(regressor.relevance_), 5)
     np.testing.assert_allclose(
         regressor.activations(z) @ regressor.coef_ + regressor.intercept_, regressor.predict(z)
     )
-
-
-@pytest.mark.parametrize("nu", [0.01, 0.3, 3])
-def test_the_objective_never_rises_between_prunings(smooth, nu):
-    (z, x), _ = smooth
-    system = NormalEquations.of(Basis(width=4).fit_transform(z), x)
-    steps = minimise_with_bridges(system, Bridges.start(system), nu, 500, 1e-6).history
-    rises = [after - before for (count, before), (same, after) in pairwise(steps) if count == same]
-    assert len(rises) > 5
-    assert max(rises) < 1e-6 * system.power.sum()
 
 
 @pytest.mark.parametrize("share", [0.05, 0.2, 0.5])
@@ -111,31 +83,24 @@ def test_state_restores_the_predictions(smooth):
     np.testing.assert_array_equal(restored.relevance_, regressor.relevance_)
 
 
-@pytest.mark.parametrize("wrong", [{"nu": 0}, {"keep_at_most": 1.5}, {"keep_at_most": 0}])
-def test_wrong_values_are_refused(smooth, wrong):
+@pytest.mark.parametrize(
+    ("name", "value"), [("nu", 0), ("keep_at_most", 1.5), ("keep_at_most", 0), ("max_iter", 0.5)]
+)
+def test_wrong_values_are_refused(smooth, name, value):
     (z, x), _ = smooth
-    with pytest.raises(InputError):
-        RelevanceVectorRegressor(**wrong).fit(z, x)
-
-
-def test_elimination_removes_what_is_missed_least():
-    rng = np.random.default_rng(0)
-    features = rng.normal(size=(150, 12))
-    features[:, 9] = features[:, 4] + 0.01 * rng.normal(size=150)  # one of the two will do
-    outputs = features[:, [1, 4, 7]] @ rng.normal(size=(3, 2))
-    system = NormalEquations.of(features, outputs)
-    kept = eliminate(system, np.arange(12), 3)
-    assert set(kept) in ({1, 4, 7}, {1, 9, 7})
+    with pytest.raises(InputError, match=f"^{name} must be .*, not {value}$"):
+        RelevanceVectorRegressor(**{name: value}).fit(z, x)
 
 
 def test_componentwise_priors_select_for_each_output():
     rng = np.random.default_rng(1)
     z = rng.normal(size=(200, 10))
     x = np.column_stack([z[:, 2], z[:, 5], z[:, 2] + z[:, 8]]) + 0.01 * rng.normal(size=(200, 3))
-    own = RelevanceVectorRegressor(Basis(None, linear=True), prior="component", nu=1.0).fit(z, x)
+    linear = Basis(None, linear=True, hellinger=False)
+    own = RelevanceVectorRegressor(linear, prior="component", nu=1.0).fit(z, x)
     np.testing.assert_array_equal(own.relevance_, [2, 5, 8])
     np.testing.assert_array_equal(own.coef_ != 0, [[1, 0, 1], [0, 1, 0], [0, 0, 1]])
-    with pytest.raises(InputError, match="keep_at_most wants"):
-        RelevanceVectorRegressor(prior="component", keep_at_most=0.5).fit(z, x)
-    with pytest.raises(InputError, match="prior is 'column' or 'component'"):
-        RelevanceVectorRegressor(prior="row").fit(z, x)
+    with pytest.raises(InputError, match="keep_at_most needs"):
+        RelevanceVectorRegressor(linear, prior="component", keep_at_most=0.5).fit(z, x)
+    with pytest.raises(InputError, match="prior must be one of 'column', 'component', not 'row'"):
+        RelevanceVectorRegressor(linear, prior="row").fit(z, x)

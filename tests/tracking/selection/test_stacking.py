@@ -2,15 +2,26 @@ import numpy as np
 import pytest
 
 from silpose.core.pose_space import ANGLES
-from silpose.tracking import BeliefTracker, HypothesesSettings, Selection, TrackerSettings
-from silpose.tracking.selection.stacking import shares_of, stacked_shares
+from silpose.tracking import BeliefTracker
+from silpose.tracking.selection.stacking import _tracked, choose_shares, stacked_shares
+from silpose.tracking.selection.tracker_selection import FittedFold
 
 WIDTHS = {"keep": 0.3, "pose_width": 0.4, "descriptor_width": 0.8}
 
 
-@pytest.fixture
-def selection(takes):
-    return Selection(takes[:2], takes[2:], ANGLES, 15.0)
+def fitted(fold):
+    return BeliefTracker(**WIDTHS).fit(fold.train)
+
+
+def folds(selection):
+    return [FittedFold(fold.train, fold.validation, None) for fold in selection.folds]
+
+
+def shares_of(selection, **given):
+    return choose_shares(
+        selection, "tracker", BeliefTracker(**given), {"damping": 1.0}, fitted,
+        lambda: folds(selection),
+    )  # fmt: skip
 
 
 def squared(selection, **shares):
@@ -20,7 +31,7 @@ def squared(selection, **shares):
 
 
 def test_no_other_shares_leave_less(selection):
-    shares = stacked_shares(selection, BeliefTracker(**WIDTHS).fit)
+    shares = stacked_shares(_tracked(fitted, folds(selection)))
     assert all(0 <= share <= 1 for share in shares.values())
     heading, body = squared(selection, **shares)
     for other in (0.0, 0.2, 0.5, 1.0):
@@ -29,35 +40,40 @@ def test_no_other_shares_leave_less(selection):
         assert body <= others[1] + 1e-9
 
 
-class Off(BeliefTracker):
-    """Tracks with this much off, and with that much off on the silhouette alone."""
-
-    def __init__(self, tracked=1.0, alone=0.0, heading_alone=0.0, body_alone=0.0):
-        self.tracked, self.alone = tracked, alone
-        self.heading_alone, self.body_alone = heading_alone, body_alone
-
-    def track(self, z):
-        track = type("Track", (), {})()
-        off = self.tracked + self.body_alone * (self.alone - self.tracked)
-        track.x = np.full((len(z), 55), off)
-        return track
-
-
 @pytest.mark.parametrize(("alone", "share"), [(0.0, 1.0), (-1.0, 0.5), (2.0, 0.0), (1.0, 0.0)])
 def test_a_share_is_what_evens_errors_out(selection, alone, share):
-    nowhere = [(z, np.zeros_like(x)) for z, x in selection.validation]
-    only = Selection(selection.train, nowhere, ANGLES, 15.0)
-    found = stacked_shares(only, lambda learnt: Off(alone=alone))
+    """The tracker is 1 off everywhere, and this much off on the silhouette alone."""
+    ((z, x),) = selection.validation
+    parts = np.ones_like(x), np.full_like(x, alone - 1)
+    only = FittedFold([], [(z, np.zeros_like(x))], parts)
+    found = stacked_shares([only])
     assert found == pytest.approx({"heading_alone": share, "body_alone": share})
 
 
-@pytest.mark.parametrize("kind", [TrackerSettings, HypothesesSettings])
-def test_shares_that_are_given_are_not_stacked(selection, kind):
-    whole = kind(heading_alone=0.25, body_alone=0.75)
+def test_shares_are_recorded_with_the_error_that_they_leave(selection):
+    shares = shares_of(selection)
+    (row,) = selection.rows
+    assert {"method": "tracker", "damping": 1.0, **shares}.items() <= row.items()
+    tracker = BeliefTracker(**WIDTHS, **shares).fit(selection.train)
+    (z, x), *_ = selection.validation
+    error = ANGLES.distance(x, tracker.track(z).x).mean()
+    assert row["validation_error"] == pytest.approx(error)
+    assert selection.validation_error("tracker") == row["validation_error"]
+
+
+def test_shares_that_are_given_are_not_stacked(selection):
     given = {"heading_alone": 0.25, "body_alone": 0.75}
-    assert shares_of("tracker", whole, selection, None) == given
+    assert shares_of(selection, **given) == given
     assert selection.rows == []
-    half = shares_of("tracker", kind(body_alone=0.75), selection, BeliefTracker(**WIDTHS).fit)
-    stacked = stacked_shares(selection, BeliefTracker(**WIDTHS).fit)
-    assert half == stacked | {"body_alone": 0.75}
-    assert selection.rows == [{"method": "tracker", **half}]
+    half = shares_of(selection, body_alone=0.75)
+    assert half == shares_of(selection) | {"body_alone": 0.75}
+
+
+def test_the_error_of_shares_that_are_given_is_computed_when_asked_for(selection):
+    given = {"heading_alone": 0.25, "body_alone": 0.75}
+    shares_of(selection, **given)
+    tracker = BeliefTracker(**WIDTHS, **given).fit(selection.train)
+    (z, x), *_ = selection.validation
+    error = ANGLES.distance(x, tracker.track(z).x).mean()
+    assert selection.validation_error("tracker") == pytest.approx(error)
+    assert selection.rows[0]["heading_alone"] == 0.25

@@ -1,0 +1,80 @@
+"""One run of an experiment, from settings to a folder of results."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from joblib import parallel_config
+from omegaconf import DictConfig, OmegaConf
+
+from silpose.app.build import build, prepare_call
+from silpose.app.compose import build_components
+from silpose.app.config import load, plain
+from silpose.app.registry import ALTERNATIVES, COMPONENTS, experiment
+from silpose.core.errors import InputError
+from silpose.core.stages import timing
+from silpose.recording import FinishedRun, load_run, write_result
+
+_GROUPS = {name.partition(".")[0] for name in (*ALTERNATIVES, *COMPONENTS)}
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """Settings of a run that belong to no group.
+
+    Parameters
+    ----------
+    seed : int, default=0
+        Seed of everything that is drawn, unless it is given one of its own.
+    n_jobs : int, default=-1
+        Number of workers side by side; -1 is one per processor.
+    debug : bool, default=False
+        Whether an error shows where in the program it comes from.
+    """
+
+    seed: int = 0
+    n_jobs: int = -1
+    debug: bool = False
+
+    def __post_init__(self) -> None:
+        if self.n_jobs == 0:
+            raise InputError("n_jobs must be an integer other than 0: -1 is one per processor")
+
+
+def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
+    """Run an experiment in a folder of its own.
+
+    Parameters
+    ----------
+    settings : sequence of str, or DictConfig, default=()
+        Overrides as on the command line, such as ``"experiment=tracking"``; or composed settings.
+
+    Returns
+    -------
+    run : FinishedRun
+        Read back from the folder; its `headline` is what a sweep minimises.
+
+    Raises
+    ------
+    InputError
+        If a setting is wrong, or its value does not fit the data.
+    """
+    if not isinstance(settings, DictConfig):
+        settings = load(settings)
+    given = plain(settings)
+    name = str(given.pop("experiment"))
+    options = build("", {key: given.pop(key) for key in COMPONENTS[""].settings if key in given})
+    own = {key: value for key, value in given.items() if key not in _GROUPS}
+    components = build_components(settings)
+    job = prepare_call(experiment(name), "", own, components=components)
+    text = OmegaConf.to_yaml(settings, resolve=True)
+    folder = build("recording", given["recording"], experiment=name, settings=text)
+    try:
+        with timing() as seconds, parallel_config(n_jobs=options.n_jobs):
+            result = job()
+            write_result(folder, result, options.seed, seconds)
+    except BaseException:
+        folder.abandon()
+        raise
+    return load_run(folder.folder)

@@ -1,0 +1,123 @@
+"""What ``silpose settings`` prints: every setting with its value, type and description."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import yaml
+from rich.console import Console
+from rich.markup import escape
+from rich.table import Table
+
+from silpose.app.conf_folder import groups
+from silpose.app.config import choices, load, plain
+from silpose.app.registry import ALTERNATIVES, COMPONENTS, Component, experiment
+from silpose.app.signatures import REQUIRED
+from silpose.app.suggestions import nearest
+from silpose.core.errors import InputError
+
+_EXPERIMENT = "experiment"
+
+Row = tuple[str, str, str, str]
+"""Name of a setting, its value, type and description."""
+
+
+def print_settings(wanted: Sequence[str] = (), overrides: Sequence[str] = ()) -> None:
+    """Print the settings of groups, or without any the groups and their choices.
+
+    Parameters
+    ----------
+    wanted : sequence of str, default=()
+        Groups, or parts of them such as ``"regression.rvm"``.
+    overrides : sequence of str, default=()
+        Such as ``"motion=bvh"``, for the values and the choices.
+    """
+    given = plain(load(overrides))
+    console = Console()
+    if not wanted:
+        console.print(_group_table(overrides))
+    for group in wanted or [""]:
+        for title, rows in tables(group.replace("/", "."), given).items():
+            console.print(_table(title, rows))
+    console.print("[dim]A list in place of a single value: validation chooses from it.[/dim]")
+
+
+def tables(group: str, given: Mapping[str, Any]) -> dict[str, list[Row]]:
+    """List the settings of a group and of its parts, each by its own.
+
+    Parameters
+    ----------
+    group : str
+        The empty name is that of the settings without a group.
+    given : mapping
+        All settings, resolved.
+
+    Returns
+    -------
+    tables : dict of str to list of Row
+        By the full name of the group or part.
+    """
+    components = dict(_components(given))
+    own = [name for name in components if name == group or (group and _is_part(name, group))]
+    if not own:
+        raise InputError(f"there is no group '{group}'{nearest(group, filter(None, components))}")
+    found = {}
+    for name in own:
+        values: Any = given
+        for key in name.split(".") if name not in ("", _EXPERIMENT) else ():
+            values = values.get(key, {})
+        found[name] = [
+            (key, _shown(values.get(key, p.default)), p.type.in_words(), _plain_text(p.description))
+            for key, p in components[name].settings.items()
+        ]
+    return found
+
+
+def _components(given: Mapping[str, Any]) -> Iterator[tuple[str, Component]]:
+    """List all components that the settings choose, by the group they are in."""
+    yield _EXPERIMENT, experiment(given[_EXPERIMENT])
+    for group, alternatives in ALTERNATIVES.items():
+        if (kind := given[group].get("kind")) in alternatives:
+            yield group, alternatives[kind]
+    yield from COMPONENTS.items()
+
+
+def _is_part(name: str, group: str) -> bool:
+    return name.startswith(f"{group}.")
+
+
+def _table(group: str, rows: Sequence[Row]) -> Table:
+    without_name = group in ("", _EXPERIMENT)
+    title = "" if without_name else f"[bold]{group}[/bold]"
+    table = Table(title=title, title_justify="left", title_style="", box=None, pad_edge=False)
+    table.add_column("setting", no_wrap=True)
+    table.add_column("value", overflow="fold", max_width=28)
+    table.add_column("type", max_width=20)
+    table.add_column("description", ratio=1)
+    for row in rows:
+        table.add_row(*map(escape, row))
+    table.add_row()
+    return table
+
+
+def _plain_text(description: str) -> str:
+    return re.sub(r"`| \[\d+\]_", "", description)  # no markup in the terminal
+
+
+def _shown(value: Any) -> str:
+    if value == REQUIRED:
+        return "(must be given)"
+    text: str = yaml.safe_dump(value, default_flow_style=True, allow_unicode=True, width=1000)
+    return text.removesuffix("\n").removesuffix("\n...")
+
+
+def _group_table(overrides: Sequence[str]) -> Table:
+    chosen = choices(overrides)
+    table = Table("group", "choice", "others", box=None, pad_edge=False)
+    for group, names in groups().items():
+        others = [name for name in names if name != chosen[group]]
+        table.add_row(group, chosen[group], ", ".join(others))
+    table.add_row()
+    return table

@@ -1,0 +1,117 @@
+"""Verbs that run an experiment on a path, and the text of ``silpose --help``."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from silpose.app.commands import TOOLS
+from silpose.app.conf_folder import groups
+from silpose.core.errors import InputError
+
+
+@dataclass(frozen=True)
+class Verb:
+    """Short for an experiment with the path of its source.
+
+    Attributes
+    ----------
+    help : str
+    overrides : tuple of str
+        What the verb stands for.
+    source : str
+        The setting that the path is for.
+    """
+
+    help: str
+    overrides: tuple[str, ...]
+    source: str
+
+
+EXPERIMENT_VERBS = {
+    "predict": Verb(
+        "poses for a folder or video of masks",
+        ("experiment=predict", "silhouette=masks"),
+        "silhouette.source",
+    ),
+}
+"""A new verb takes one entry here."""
+
+
+def overrides_of(verb: str, arguments: Sequence[str]) -> list[str]:
+    """Write a verb and its path as Hydra's overrides.
+
+    Parameters
+    ----------
+    verb : str
+        One of `EXPERIMENT_VERBS`.
+    arguments : sequence of str
+        The path, whatever characters it has, then overrides and Hydra's options.
+    """
+    if not arguments:
+        raise InputError(f"'{verb}' needs a path: {usage(verb)}")
+    path, *rest = arguments
+    if "=" in path and not Path(path).exists():
+        raise InputError(f"there is no file '{path}'; the path comes first: {usage(verb)}")
+    short_for = EXPERIMENT_VERBS[verb]
+    return [*short_for.overrides, f"{short_for.source}={quoted(path)}", *rest]
+
+
+def usage(verb: str) -> str:
+    """Show how a verb is typed."""
+    return f"silpose {verb} PATH [key=value …]"
+
+
+def verb_help(verb: str) -> str:
+    """Describe a verb."""
+    short_for = EXPERIMENT_VERBS[verb]
+    stands_for = " ".join((*short_for.overrides, f"{short_for.source}=PATH"))
+    return f"{usage(verb)}\n\n{short_for.help}; short for {stands_for}"
+
+
+def quoted(text: str) -> str:
+    """Quote text so that Hydra reads it back as it is."""
+    text = re.sub(r"(\\*)\$\{", lambda found: found[1] * 2 + r"\${", text)  # no interpolation
+    text = re.sub(r"(\\*)('|$)", lambda found: found[1] * 2 + (found[2] and r"\'"), text)
+    return f"'{text}'"
+
+
+def help_text() -> str:
+    """Describe the command: its verbs, then the groups and their choices."""
+    verbs = {f"{name} PATH": verb.help for name, verb in EXPERIMENT_VERBS.items()}
+    tools = {f"{name} {tool.argument}".strip(): tool.help for name, tool in TOOLS.items()}
+    choices = {group: ", ".join(names) for group, names in groups().items()}
+    first = max(map(len, (*verbs, *tools, *choices))) + 2
+    return "\n".join(
+        (
+            "3D human pose from silhouettes by sparse regression, watched step by step in Rerun.",
+            "",
+            "  silpose [group=choice …] [key=value …]        runs an experiment",
+            "  silpose -m [key=value,value …]                runs it for each value",
+            "  silpose VERB [PATH …] [key=value …]",
+            "",
+            "Verbs that run an experiment:",
+            *_table(verbs, first),
+            "",
+            "Verbs for finished runs and for settings ('silpose VERB --help' has their options):",
+            *_table(tools, first),
+            "",
+            "Groups and their choices (group=choice):",
+            *_table(choices, first),
+            "",
+            "Settings of a group, their values and what they mean: silpose settings GROUP",
+        )
+    )
+
+
+def _table(rows: dict[str, str], first: int) -> list[str]:
+    """Lay out two columns, the first of a given width."""
+    lines = []
+    for name, words in rows.items():
+        begin = f"  {name:<{first}}"
+        rest = " " * len(begin)
+        lines.append(textwrap.fill(words, 96, initial_indent=begin, subsequent_indent=rest))
+    return lines

@@ -1,0 +1,38 @@
+"""Allowed values of the parameters of `ShapeContextHistogram`."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from silpose.core.parameters import (
+    POSITIVE,
+    POSITIVE_INTEGER,
+    PROBABILITY,
+    Constraint,
+    Constraints,
+    one_of,
+)
+from silpose.descriptor.codebook import METHODS
+
+NORMALISATIONS = ("sum", "mean", "none")
+
+_FINITE = Constraint("positive", lambda value: POSITIVE.holds(value) and value < np.inf)
+
+CONSTRAINTS: Constraints = {
+    "edge_points": POSITIVE_INTEGER.or_none(),
+    "spacing": _FINITE.or_none(),
+    "closing": PROBABILITY,
+    "angular_bins": POSITIVE_INTEGER,
+    "radial_bins": POSITIVE_INTEGER,
+    "radius": _FINITE,
+    "inner_radius": Constraint(
+        "between 0 and 1", lambda value: POSITIVE.holds(value) and value < 1
+    ),
+    "codebook_size": POSITIVE_INTEGER,
+    "codebook_method": one_of(*METHODS),
+    "voters": POSITIVE_INTEGER.or_none(),
+    "vote_width": _FINITE,
+    "normalisation": one_of(*NORMALISATIONS),
+    "max_contexts": POSITIVE_INTEGER,
+    "n_jobs": POSITIVE_INTEGER.or_none(),
+}

@@ -1,0 +1,39 @@
+"""Saved models, read back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from silpose.core.pose_space import SPACES
+from silpose.core.serialisation import without_prefix
+from silpose.descriptor import ShapeContextHistogram
+from silpose.model.model_file import read_model_file
+from silpose.model.pose_model import PoseModel
+from silpose.regression import REGRESSORS
+from silpose.tracking import TRACKERS
+
+
+def load(path: str | Path) -> PoseModel:
+    """Load a model that `PoseModel.save` wrote.
+
+    Parameters
+    ----------
+    path : path
+        The ``.npz``, or the folder of the run that holds it.
+
+    Raises
+    ------
+    InputError
+        If there is no such file, or it is no model, or one of another format.
+    """
+    header, state = read_model_file(path)
+    descriptor, regressor, tracker = (
+        without_prefix(part, state) for part in ("descriptor", "regressor", "tracker")
+    )
+    return PoseModel(
+        ShapeContextHistogram.from_arrays(descriptor) if descriptor else None,
+        REGRESSORS[header["regressor"]].from_arrays(regressor),
+        SPACES[header["space"]],
+        header["frames_per_second"],
+        TRACKERS[header["tracker"]].from_arrays(tracker) if tracker else None,
+    )

@@ -1,0 +1,116 @@
+"""Layouts of recordings that show one estimate per frame."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import rerun.blueprint as rrb
+
+from silpose.recording import entity_paths
+from silpose.recording.layout.views import (
+    FROM_THE_SIDE,
+    Window,
+    blueprint,
+    bodies_view,
+    errors_view,
+    estimate_input_view,
+    from_the_front,
+    heading_norm_view,
+    series_view,
+    state_view,
+    texts_view,
+)
+
+
+def single_image_layout(
+    shown: Sequence[str],
+    frames_per_second: float,
+    metric: str,
+    window: Window | None = None,
+    examples: bool = False,
+) -> rrb.Blueprint:
+    """Lay out the input of a single-image regressor, its estimate and its error.
+
+    Parameters
+    ----------
+    shown : sequence of str
+        Methods whose errors are drawn.
+    frames_per_second : float
+    metric : str
+        Name of the errors.
+    window : tuple of float or None, default=None
+        Part of the masks that is shown; None if there are no masks.
+    examples : bool, default=False
+        Whether influential examples are recorded.
+    """
+    estimate = rrb.Vertical(
+        bodies_view(
+            "true (blue) and estimated (orange) pose; left side light, right side dark",
+            [entity_paths.TRUE_SKELETON, entity_paths.ESTIMATED_SKELETON],
+            FROM_THE_SIDE,
+        ),
+        series_view(
+            "heading, degrees", [entity_paths.TRUE_HEADING, entity_paths.ESTIMATED_HEADING]
+        ),
+        heading_norm_view(),
+        errors_view(metric, shown),
+        row_shares=[3.4, 1, 0.7, 1],
+    )
+    columns = [estimate_input_view(window), estimate, texts_view(examples)]
+    return blueprint(columns, [1.3, 1.7, 1], frames_per_second)
+
+
+def prediction_layout(frames_per_second: float, window: Window, tracked: bool) -> rrb.Blueprint:
+    """Lay out poses estimated from masks, without ground truth."""
+    bodies = bodies_view(
+        "estimated pose; left side light, right side dark",
+        [entity_paths.ESTIMATED_SKELETON],
+        FROM_THE_SIDE,
+    )
+    heading = series_view("heading, degrees", [entity_paths.ESTIMATED_HEADING])
+    state, share = ([state_view()], [0.5]) if tracked else ([], [])
+    estimate = rrb.Vertical(
+        bodies, *state, heading, heading_norm_view(), row_shares=[3.4, *share, 1, 0.7]
+    )
+    columns = [estimate_input_view(window), estimate, texts_view()]
+    return blueprint(columns, [1.3, 1.7, 0.6], frames_per_second)
+
+
+def comparison_layout(
+    drawn: Mapping[str, str], frames_per_second: float, side_by_side: bool
+) -> rrb.Blueprint:
+    """Lay out runs side by side, and the error of one method of each in one plot.
+
+    Parameters
+    ----------
+    drawn : mapping of str to str
+        From a run's name to the method whose errors are drawn.
+    frames_per_second : float
+    side_by_side : bool
+        Whether each run has several bodies beside one another.
+    """
+    bodies = (
+        entity_paths.TRUE_SKELETON,
+        entity_paths.ESTIMATED_SKELETON,
+        entity_paths.TRACK_NAMES,
+        f"{entity_paths.TRACKS}/**",
+    )
+    views = [
+        bodies_view(
+            run,
+            [f"$origin{path}" for path in bodies],
+            from_the_front(2.6 if side_by_side else 2.1),
+            f"/{run}",
+        )
+        for run in drawn
+    ]
+    errors = [
+        f"/{run}{entity_paths.below(entity_paths.ERROR, method)}" for run, method in drawn.items()
+    ]
+    shown = rrb.Vertical(
+        rrb.Grid(*views, grid_columns=1 if side_by_side else min(len(views), 3)),
+        series_view("error", errors),
+        row_shares=[3 if side_by_side else 2, 1],
+    )
+    results = rrb.TextDocumentView(origin=entity_paths.METRICS, name="results")
+    return blueprint([shown, results], [2.4, 1], frames_per_second)

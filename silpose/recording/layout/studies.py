@@ -1,0 +1,80 @@
+"""Layouts of recordings around a figure, and of those that explain the descriptor."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import rerun.blueprint as rrb
+
+from silpose.recording import entity_paths
+from silpose.recording.layout.views import (
+    bars_view,
+    blueprint,
+    codebook_view,
+    figure_view,
+    histogram_view,
+    mask_view,
+    series_view,
+    texts_view,
+)
+
+
+def study_layout(title: str | None, frames_per_second: float, masks: bool = False) -> rrb.Blueprint:
+    """Lay out a figure and the errors behind it.
+
+    Parameters
+    ----------
+    title : str or None
+        Title of the errors; None for a figure alone.
+    frames_per_second : float
+    masks : bool, default=False
+        Whether masks are recorded.
+    """
+    if title is None:
+        return blueprint([figure_view(), texts_view()], [2.4, 1], frames_per_second)
+    below: rrb.Container | rrb.View = series_view(title, [f"{entity_paths.ERROR}/**"])
+    if masks:
+        below = rrb.Horizontal(mask_view("silhouette"), below, column_shares=[1, 2.4])
+    shown = rrb.Vertical(figure_view(), below, row_shares=[1.6, 1])
+    return blueprint([shown, texts_view()], [2.4, 1], frames_per_second)
+
+
+def bridges_layout() -> rrb.Blueprint:
+    """Lay out how the columns of an RVM vanish; a frame is an iteration."""
+    shown = rrb.Vertical(
+        figure_view(),
+        bars_view(entity_paths.COLUMN_NORMS, "regression: size of every basis function's column"),
+        rrb.Horizontal(
+            series_view("columns left", [entity_paths.COLUMNS_LEFT]),
+            series_view("objective (Eq. 5) of the columns left", [entity_paths.OBJECTIVE]),
+        ),
+        row_shares=[1.6, 1, 0.8],
+    )
+    return blueprint([shown, texts_view()], [2.4, 1], 2.0)
+
+
+def features_layout(parts: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
+    """Lay out one image per body part: the silhouette and the points that it retains."""
+    views = [
+        rrb.Spatial2DView(
+            origin=entity_paths.CAMERA,
+            contents=[
+                entity_paths.MASK,
+                entity_paths.below(entity_paths.RETAINED_POINTS, part),
+            ],
+            name=part.replace("_", " "),
+        )
+        for part in parts
+    ]
+    return blueprint([rrb.Grid(*views, grid_columns=3), texts_view()], [2.6, 1], frames_per_second)
+
+
+def context_space_layout(frames_per_second: float) -> rrb.Blueprint:
+    """Lay out a silhouette, where its edge points are among all contexts, and the codebook."""
+    plane = rrb.Spatial2DView(
+        origin=entity_paths.CONTEXT_SPACE,
+        name="shape contexts: all (grey), centres, this silhouette's",
+    )
+    seen = rrb.Vertical(mask_view(), histogram_view(), row_shares=[2.2, 1])
+    beside = rrb.Vertical(codebook_view(), texts_view(), row_shares=[1.3, 1])
+    return blueprint([seen, plane, beside], [1, 1.7, 1], frames_per_second)

@@ -1,0 +1,79 @@
+"""Writing what an experiment found: the only place where a run's files are made."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from silpose.core.stages import stage
+from silpose.core.types import Row
+from silpose.recording.runs.result import Result
+from silpose.recording.runs.run_folder import RunFolder
+
+_DOTS_PER_INCH = 120  # of figures
+
+
+def write_result(
+    folder: RunFolder, result: Result, seed: int, seconds: Mapping[str, float]
+) -> None:
+    """Write the figure, the model, the recording and the numbers of a run.
+
+    ``metrics.json`` comes last: a folder that has it holds a finished run.
+
+    Parameters
+    ----------
+    folder : RunFolder
+    result : Result
+    seed : int
+    seconds : mapping of str to float
+        Seconds by stage: what `silpose.core.stages.timing` collects, so that the stage
+        ``recording``, which is timed here, is among them.
+    """
+    figure = _write_figure(folder, result)
+    if result.model is not None:
+        with folder.writing("model.npz") as path:
+            result.model.save(path)
+    for name, table in result.tables.items():
+        with folder.writing(name) as path:
+            _write_table(path, table)
+    if result.recording is not None and folder.sinks.kinds:
+        with stage("recording"):
+            result.recording.write(folder.header(result.recording.words, result.metrics, figure))
+    with folder.writing("config.yaml") as path:
+        path.write_text(folder.settings, encoding="utf-8")
+    if result.rows:
+        with folder.writing("results.csv") as path:
+            _write_table(path, _tidy(result.rows))
+    content = {
+        "experiment": folder.experiment,
+        "dataset": result.dataset,
+        "seed": seed,
+        "seconds": {name: round(value, 3) for name, value in seconds.items()},
+        "metrics": result.metrics,
+    }
+    if result.headline is not None:
+        content["headline"] = result.headline
+    with folder.writing("metrics.json") as path:
+        path.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+
+
+def _write_figure(folder: RunFolder, result: Result) -> Path | None:
+    if result.figure is None:
+        return None
+    name = f"{folder.experiment}.png"
+    with folder.writing(name) as path:
+        result.figure.savefig(path, dpi=_DOTS_PER_INCH, format="png")
+    return folder.folder / name
+
+
+def _tidy(rows: Sequence[Row]) -> list[list[object]]:
+    """Lay rows out as a table whose columns are all names that occur."""
+    columns = list(dict.fromkeys(column for row in rows for column in row))
+    return [list(columns), *([row.get(column, "") for column in columns] for row in rows)]
+
+
+def _write_table(path: Path, table: Sequence[Sequence[object]]) -> None:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows(table)

@@ -1,0 +1,53 @@
+"""Logging the camera and the masks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import rerun as rr
+from numpy.typing import NDArray
+
+from silpose.core.types import Array, Mask
+from silpose.recording import entity_paths, palette
+from silpose.recording.frame_logger import FrameLogger
+from silpose.silhouette import Camera
+
+Masks = Sequence[Mask] | NDArray[np.uint8]
+"""One mask (H, W) of 0 and 1 per frame."""
+
+
+def log_camera(logger: FrameLogger, camera: Camera, aim: Array) -> None:
+    """Log a camera that looks at ``aim (F, 3)``, so that the viewer projects what is in 3D."""
+    logger.static(
+        entity_paths.CAMERA,
+        rr.Pinhole(
+            focal_length=camera.focal_pixels,
+            width=camera.width,
+            height=camera.height,
+            camera_xyz=rr.ViewCoordinates.RDF,
+            image_plane_distance=1.0,
+            color=palette.NEUTRAL,
+        ),
+    )
+    logger.static(entity_paths.CAMERA, rr.Transform3D.from_fields(mat3x3=camera.orientation))
+    logger.columns(entity_paths.CAMERA, rr.Transform3D.columns(translation=aim + camera.position))
+
+
+def log_image_size(logger: FrameLogger, width: int, height: int) -> None:
+    """Log how large the images of an unknown camera are, pixels."""
+    logger.static(entity_paths.CAMERA, rr.Pinhole(focal_length=height, width=width, height=height))
+
+
+def log_masks(logger: FrameLogger, masks: Masks) -> None:
+    """Log the mask of each frame."""
+    classes = [(0, "background", palette.BACKGROUND), (1, "person", palette.MASK)]
+    logger.static(entity_paths.MASK, rr.AnnotationContext(classes))
+    logger.each(entity_paths.MASK, (rr.SegmentationImage(mask) for mask in masks))
+
+
+def log_masks_alone(logger: FrameLogger, masks: Masks) -> None:
+    """Log the mask of each frame, all of one size, where no camera is logged."""
+    height, width = masks[0].shape
+    log_image_size(logger, width, height)
+    log_masks(logger, masks)

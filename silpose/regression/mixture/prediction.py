@@ -1,0 +1,171 @@
+"""Predictions of a fitted mixture of regressors: estimates, modes, samples and likelihoods."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
+from sklearn.utils.validation import check_is_fitted, validate_data
+
+from silpose.core.errors import InputError
+from silpose.core.types import Array
+from silpose.regression.mixture.density import ConditionalDensity, MixtureInput
+from silpose.regression.mixture.experts import Experts
+from silpose.regression.mixture.modes import MODES, calibrated
+from silpose.regression.mixture.reduction import PoseDirections
+from silpose.regression.mixture.shared_regressor import SharedRegressor
+
+
+class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
+    """The methods of `MixtureOfRegressors` that use what `fit` found."""
+
+    temperature: float
+    noise_width: float
+    outlier_probability: float
+    floor: float
+    agreement: float
+    calibration_exponent: float
+    point_estimate: Literal["mode", "mean"]
+    shared_width: float
+    shared_temperature: float
+    mean_: Array
+    scale_: Array
+    varies_: NDArray[np.bool_]
+    background_: Array
+    experts_: Experts
+    reduction_: PoseDirections
+    shared_: SharedRegressor | None
+    _single: bool
+
+    @property
+    def components_(self) -> int:
+        """Number of components, K."""
+        return len(self.experts_.offsets)
+
+    def predict(self, X: ArrayLike) -> Array:
+        """Estimate outputs: the most probable mode, or the mean of the mixture.
+
+        Parameters
+        ----------
+        X : array-like, shape (n, d)
+            Inputs: descriptors z.
+
+        Returns
+        -------
+        estimated : ndarray, shape (n, D)
+        """
+        if self.point_estimate == "mode":
+            estimated = self.predict_modes(X, 1)[1][:, 0]
+        else:
+            estimated = self._density.mean(self._inputs(X)) * self.scale_ + self.mean_
+        return estimated[:, 0] if self._single else estimated
+
+    def predict_modes(self, z: ArrayLike, k: int) -> tuple[Array, Array, Array]:
+        """Return the k most probable modes, best first.
+
+        Components that agree are one mode, at their weighted mean.
+
+        Parameters
+        ----------
+        z : array-like, shape (n, d)
+        k : int
+            Number of modes.
+
+        Returns
+        -------
+        weights : ndarray, shape (n, k)
+            Probabilities. The remaining probability belongs to further modes and to the
+            background component. Where there are fewer than k modes, the rest has weight 0 and
+            repeats the first.
+        means, variances : ndarray, shape (n, k, D)
+        """
+        if k < 1:
+            raise InputError(f"the number of modes must be 1 or more, not {k}")
+        found = self._density.modes(self._inputs(z), max(k, MODES), self.agreement)
+        weights, means, variances = calibrated(found[0], self.calibration_exponent), *found[1:]
+        weights, means, variances = weights[:, :k], means[:, :k], variances[:, :k]
+        return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
+
+    def likely_components(self, z: Array, least: float = 1e-6) -> tuple[Array, Array, Array]:
+        """Return the components whose gate is open to a single input.
+
+        Components weigh as if all were equally frequent, without their π_k: a tracker has a
+        prior of its own.
+
+        Parameters
+        ----------
+        z : ndarray, shape (d,)
+            Not checked: a tracker has done so.
+        least : float, default=1e-6
+            Share of the largest gate below which a component is left out.
+
+        Returns
+        -------
+        log_weights : ndarray, shape (K',)
+        means, variances : ndarray, shape (K', D)
+            The last component is the background.
+        """
+        inputs = self._reduce(z[None])
+        log_weights, means, variances = self._density.likely_components(inputs, least)
+        return log_weights, means * self.scale_ + self.mean_, variances * self.scale_**2
+
+    def variances(self) -> Array:
+        """Diagonals of Λ_k and, last, of the background component, shape (K + 1, D)."""
+        return self._density.variances() * self.scale_**2
+
+    def sample(self, z: ArrayLike, count: int = 1, *, seed: int | None = None) -> Array:
+        """Draw outputs from p(x|z).
+
+        Parameters
+        ----------
+        z : array-like, shape (n, d)
+        count : int, default=1
+            Number of draws for each input.
+        seed : int or None, default=None
+
+        Returns
+        -------
+        drawn : ndarray, shape (n, count, D)
+        """
+        drawn = self._density.sample(self._inputs(z), count, np.random.default_rng(seed))
+        return drawn * self.scale_ + self.mean_
+
+    def log_likelihoods(self, z: ArrayLike, x: ArrayLike) -> Array:
+        """Log p(x|z) of each example.
+
+        Outputs are on the scale of their standard deviations in training, and those that are
+        constant there are left out.
+
+        Parameters
+        ----------
+        z, x : array-like, shapes (n, d) and (n, D)
+
+        Returns
+        -------
+        log_likelihoods : ndarray, shape (n,)
+        """
+        density, x = self._density, np.asarray(x, dtype=float)
+        poses = (x.reshape(len(x), -1) - self.mean_) / self.scale_
+        return density.log_likelihoods(self._inputs(z), poses, self.varies_)
+
+    def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
+        """Log-likelihood per example, of outputs at unit variance."""
+        weights = None if sample_weight is None else np.asarray(sample_weight, dtype=float)
+        return float(np.average(self.log_likelihoods(X, y), weights=weights))
+
+    @property
+    def _density(self) -> ConditionalDensity:
+        check_is_fitted(self)
+        return ConditionalDensity(
+            self.experts_, self.background_, self.shared_, self.temperature, self.noise_width,
+            self.shared_width, self.shared_temperature, self.outlier_probability, self.floor,
+        )  # fmt: skip
+
+    def _inputs(self, z: ArrayLike) -> MixtureInput:
+        return self._reduce(validate_data(self, z, dtype=float, reset=False))
+
+    def _reduce(self, z: Array) -> MixtureInput:
+        shared = None if self.shared_ is None else self.shared_.regressor.evaluate(z)
+        return MixtureInput(self.reduction_.transform(z), shared)

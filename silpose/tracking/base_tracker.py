@@ -1,0 +1,198 @@
+"""The interface of all trackers: fit to takes, track a take, or start a stream of frames."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from copy import copy
+from typing import Generic, Self, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+from sklearn.base import BaseEstimator
+from sklearn.utils.validation import check_is_fitted
+
+from silpose.core.errors import InputError
+from silpose.core.serialisation import State
+from silpose.core.types import Array, Examples
+from silpose.tracking.track import Track
+
+_SAME_RATE = 0.02  # relative difference up to which frame rates count as the same
+
+Run = TypeVar("Run")
+"""Kind of filter that a tracker runs over frames."""
+
+
+class Tracker(ABC, BaseEstimator, Generic[Run]):
+    """Estimates poses over time from descriptors.
+
+    A fitted tracker is not changed by using it: `track` and `start` may be called in any order,
+    and several streams may run at once.
+    """
+
+    frames_per_second: float
+
+    @abstractmethod
+    def fit(self, takes: Examples, y: object = None) -> Self:
+        """Fit to training takes.
+
+        Parameters
+        ----------
+        takes : sequence of (z, x)
+            Descriptors (F, d) and poses (F, D) of each training take.
+        y : None
+            Ignored.
+        """
+
+    @abstractmethod
+    def track(
+        self,
+        z: ArrayLike,
+        initial: ArrayLike | None = None,
+        lag: int = 0,
+        frames_per_second: float | None = None,
+    ) -> Track:
+        """Track a take.
+
+        Parameters
+        ----------
+        z : array-like, shape (F, d)
+            Descriptors; a row of NaN where there was nothing to see.
+        initial : array-like, shape (P, D), optional
+            Poses of the first frames, if known beforehand.
+        lag : int, default=0
+            Number of later frames that each estimate may wait for.
+        frames_per_second : float, optional
+            Frame rate of the take, if known.
+
+        Returns
+        -------
+        track : Track
+
+        Raises
+        ------
+        InputError
+            If the frame rate is not the training takes', or an array has another shape.
+        """
+
+    @abstractmethod
+    def start(self, initial: ArrayLike | None = None) -> TrackerStream[Run]:
+        """Start a stream of frames.
+
+        Parameters
+        ----------
+        initial : array-like, shape (P, D), optional
+            Poses of the frames before the first one, if known.
+        """
+
+    @abstractmethod
+    def to_arrays(self) -> State:
+        """Return parameters and fitted attributes as arrays, numbers and strings."""
+
+    @classmethod
+    @abstractmethod
+    def from_arrays(cls, state: State) -> Self:
+        """Restore a tracker from the result of `to_arrays`."""
+
+    @property
+    @abstractmethod
+    def columns(self) -> tuple[int, int]:
+        """Number of columns of descriptors and of poses, d and D."""
+
+    @abstractmethod
+    def advance(self, run: Run, z: Array) -> tuple[Array, str]:
+        """Let a filter take one frame more, with descriptor (d,); return pose (D,) and state."""
+
+    def modes(self, run: Run, k: int) -> tuple[Array, Array]:
+        """Return the k most probable poses of a filter, as `TrackerStream.modes` describes."""
+        raise InputError("this tracker has one pose a frame: use a MultipleHypothesisTracker")
+
+    def _checked(
+        self, z: ArrayLike, initial: ArrayLike | None, frames_per_second: float | None
+    ) -> tuple[Array, Array]:
+        """Check what is to be tracked; return descriptors (F, d) and known poses (P, D)."""
+        known = self._known(initial)
+        trained = self.frames_per_second
+        if frames_per_second is not None and abs(frames_per_second / trained - 1) > _SAME_RATE:
+            raise InputError(
+                f"this tracker was trained at {trained:g} frames per second and cannot follow "
+                f"{frames_per_second:g}: resample the take, or train at its rate"
+            )
+        z, columns = np.asarray(z, dtype=float), self.columns[0]
+        if z.ndim != 2 or z.shape[1] != columns:
+            raise InputError(f"descriptors have shape {z.shape}: expected (frames, {columns})")
+        if len(z) == 0:
+            raise InputError("there is no frame to track: give one descriptor or more")
+        return z, known[: len(z)]
+
+    def _known(self, initial: ArrayLike | None) -> Array:
+        """Check known poses; return them with shape (P, D), P = 0 if there are none."""
+        check_is_fitted(self)
+        columns = self.columns[1]
+        if initial is None:
+            return np.empty((0, columns))
+        known = np.atleast_2d(np.asarray(initial, dtype=float))
+        if known.ndim != 2 or known.shape[1] != columns:
+            raise InputError(f"initial poses have shape {known.shape}: expected (poses, {columns})")
+        return known
+
+
+class TrackerStream(Generic[Run]):
+    """A tracker under way: it holds what has been seen, and changes nothing in the tracker.
+
+    Parameters
+    ----------
+    tracker : Tracker
+        Fitted; changing it later does not change the stream.
+    run : object
+        The running filter.
+    """
+
+    def __init__(self, tracker: Tracker[Run], run: Run) -> None:
+        self._tracker, self._run = copy(tracker), run
+        self._shape = (tracker.columns[0],)
+
+    def step(self, z: ArrayLike) -> tuple[Array, str]:
+        """Track one frame more.
+
+        Parameters
+        ----------
+        z : array-like, shape (d,)
+            Its descriptor; NaN where there was nothing to see.
+
+        Returns
+        -------
+        x : ndarray, shape (D,)
+            Its pose.
+        state : str
+            One of `silpose.tracking.STATES`.
+
+        Raises
+        ------
+        InputError
+            If the descriptor has another length.
+        """
+        z = np.asarray(z, dtype=float)
+        if z.shape != self._shape:
+            raise InputError(f"a descriptor has shape {z.shape}: expected {self._shape}")
+        return self._tracker.advance(self._run, z)
+
+    def modes(self, k: int) -> tuple[Array, Array]:
+        """Return the most probable poses after a step.
+
+        Parameters
+        ----------
+        k : int
+            Number of modes, from 1 to 8.
+
+        Returns
+        -------
+        weights : ndarray, shape (k,)
+            Probabilities, the largest first; 0 where there are fewer than k.
+        means : ndarray, shape (k, D)
+
+        Raises
+        ------
+        InputError
+            If the tracker has one pose a frame only.
+        """
+        return self._tracker.modes(self._run, k)

@@ -1,0 +1,43 @@
+import pytest
+import yaml
+
+import silpose
+from silpose.app.config import load
+
+
+def test_a_run_is_made_from_overrides_or_settings(fast, tmp_path):
+    overrides = [*fast, f"recording.root={tmp_path}", "recording=none"]
+    overrides += ["methods=[ridge]", "show=ridge"]
+    first = silpose.run_experiment([*overrides, "recording.name=a"])
+    second = silpose.run_experiment(load([*overrides, "recording.name=b"]))
+    assert first.folder == tmp_path / "single_image" / "a"
+    assert first.metrics == second.metrics
+    assert first.headline == second.headline
+    assert {"masks", "descriptors", "regression"} <= set(first.seconds)
+
+
+def test_a_run_keeps_all_its_settings(finished):
+    settings = yaml.safe_load(finished.config)
+    assert settings["regression"]["svm"]["penalty"] == 3  # as constructed
+    assert settings["regression"]["basis"]["width"] == [2]
+    assert settings["motion"]["seed"] == settings["seed"] == 0
+    assert settings["experiment"] == "single_image"
+    assert settings["show"] == "rvm_20"
+
+
+def test_a_failed_run_leaves_no_folder(fast, tmp_path, monkeypatch):
+    def fail(components, **own):
+        raise RuntimeError("in the middle")
+
+    monkeypatch.setattr("silpose.experiments.single_image.single_image", fail)
+    with pytest.raises(RuntimeError, match="in the middle"):
+        silpose.run_experiment([*fast, f"recording.root={tmp_path / 'recordings'}"])
+    assert not list((tmp_path / "recordings").iterdir())
+
+
+def test_the_public_names_are_there():
+    assert dir(silpose) == sorted(silpose.__all__)
+    for name in silpose.__all__:
+        assert getattr(silpose, name).__doc__
+    with pytest.raises(AttributeError):
+        silpose.nothing  # noqa: B018

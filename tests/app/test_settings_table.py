@@ -1,0 +1,48 @@
+import pytest
+
+from silpose.app.config import load, plain
+from silpose.app.settings_table import print_settings, tables
+from silpose.core.errors import InputError
+
+
+def test_values_are_those_of_the_overrides():
+    given = plain(load(["regression.ridge.damping=[1,2]", "motion=bvh"]))
+    (row,) = tables("regression.ridge", given)["regression.ridge"]
+    assert row[:3] == ("damping", "[1, 2]", "a number")
+    assert row[3]
+    assert tables("motion", given)["motion"][0][:2] == ("root", "(must be given)")
+
+
+def test_a_group_shows_its_parts_and_a_part_only_itself():
+    given = plain(load())
+    whole = tables("silhouette", given)
+    assert {"silhouette", "silhouette.body", "silhouette.scenes"} <= set(whole)
+    assert set(tables("silhouette.body", given)) == {"silhouette.body"}
+
+
+def test_an_experiments_own_parameters_are_shown(capsys):
+    print_settings(["experiment"], ["experiment=hypotheses", "trials=3"])
+    shown = capsys.readouterr().out
+    assert "blank_frames" in shown
+    assert "trials" in shown
+    assert "None" not in shown
+
+
+def test_without_a_group_all_groups_and_choices_are_shown(capsys):
+    print_settings([], ["motion=bvh"])
+    lines = capsys.readouterr().out.splitlines()
+    (motion,) = [line.split() for line in lines if line.startswith("motion")]
+    assert motion == ["motion", "bvh", "amass,", "walker"]
+    assert any(line.startswith("n_jobs") for line in lines)
+
+
+def test_names_are_whole_in_a_narrow_terminal(capsys):
+    print_settings(["silhouette/scenes", "regression.mixture"])
+    shown = capsys.readouterr().out
+    assert "calibration_exponent" in shown
+    assert "focal_length" in shown
+
+
+def test_a_misspelt_group_is_named():
+    with pytest.raises(InputError, match=r"no group 'regresion'; did you mean 'regression'\?"):
+        print_settings(["regresion"])

@@ -1,0 +1,60 @@
+import pytest
+from hydra.core.override_parser.overrides_parser import OverridesParser
+from hypothesis import example, given
+from hypothesis import strategies as st
+from omegaconf import OmegaConf
+
+from silpose.app.config import load, plain
+from silpose.app.verbs import EXPERIMENT_VERBS, help_text, overrides_of, quoted
+from silpose.core.errors import InputError
+
+ODD = "\\'\"${}[](),=:+~?*-#@! \t\n%&|<>é日"
+paths = st.text(
+    st.one_of(st.sampled_from(ODD), st.characters(codec="utf-8", exclude_categories=["Cs"])),
+    min_size=1,
+)
+
+
+@given(paths)
+@example("a=b, [c] '${seed}' \\")
+def test_any_path_goes_through_hydra_untouched(path):
+    (override,) = OverridesParser.create().parse_overrides([f"source={quoted(path)}"])
+    settings = OmegaConf.create({"source": None, "seed": 3})
+    settings.source = override.value()
+    assert OmegaConf.to_container(settings, resolve=True)["source"] == path
+
+
+@pytest.mark.parametrize(
+    "path", ["-masks", "--help me", "my masks", "a,b", "[1,2]", "it's", "${seed}", "C:\\x\\", "1"]
+)
+def test_a_path_is_the_source_of_the_verbs_experiment(path):
+    settings = plain(load(overrides_of("predict", [path, "lag=0.2"])))
+    assert settings["experiment"] == "predict"
+    assert settings["silhouette"]["source"] == path
+    assert settings["lag"] == 0.2
+
+
+def test_a_path_may_hold_an_equals_sign_if_it_exists(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a=b").mkdir()
+    assert "silhouette.source='a=b'" in overrides_of("predict", ["a=b"])
+    with pytest.raises(InputError, match=r"no file 'model=x'; the path comes first: silpose"):
+        overrides_of("predict", ["model=x"])
+
+
+def test_a_verb_without_its_path_shows_how_it_is_typed():
+    with pytest.raises(InputError, match=r"'predict' needs a path: silpose predict PATH"):
+        overrides_of("predict", [])
+
+
+def test_every_verb_composes():
+    for verb, short_for in EXPERIMENT_VERBS.items():
+        settings = load(overrides_of(verb, ["somewhere"]))
+        assert OmegaConf.select(settings, short_for.source) == "somewhere"
+
+
+def test_help_shows_verbs_then_groups():
+    text = help_text()
+    assert text.index("predict PATH") < text.index("compare RUN") < text.index("silhouette/scenes")
+    assert "schema" not in text
+    assert max(map(len, text.splitlines())) <= 96

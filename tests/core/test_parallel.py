@@ -1,0 +1,73 @@
+import contextlib
+import os
+import threading
+
+import numpy as np
+import pytest
+from joblib import parallel_config
+from threadpoolctl import threadpool_info, threadpool_limits
+
+from silpose.core.parallel import parallel_map, thread_map
+
+WAYS = [(None, "processes"), (2, "threads"), (2, "processes")]
+
+
+def workers(n_jobs):
+    """One after the other in this process, or several workers."""
+    return contextlib.nullcontext() if n_jobs is None else parallel_config(n_jobs=n_jobs)
+
+
+@pytest.mark.parametrize(("n_jobs", "prefer"), WAYS)
+def test_outcomes_are_those_of_a_loop_in_order(n_jobs, prefer):
+    matrices = [np.random.default_rng(seed).normal(size=(20, 20)) for seed in range(7)]
+
+    def function(matrix):
+        return np.linalg.svd(matrix)[1]
+
+    with workers(n_jobs):
+        outcomes = parallel_map(function, matrices, prefer=prefer)
+    np.testing.assert_array_equal(outcomes, [function(matrix) for matrix in matrices])
+
+
+@pytest.mark.parametrize(("n_jobs", "prefer"), WAYS)
+def test_a_worker_has_one_thread_for_linear_algebra(n_jobs, prefer):
+    def threads(_):
+        np.ones((2, 2)) @ np.ones((2, 2))
+        return [pool["num_threads"] for pool in threadpool_info() if pool["user_api"] == "blas"]
+
+    with threadpool_limits(2), workers(n_jobs):
+        before = threads(0)
+        found = parallel_map(threads, range(4), prefer=prefer)
+        assert threads(0) == before  # the caller's own limit is back
+    assert all(count == 1 for counts in found for count in counts)
+    assert all(found)
+
+
+@pytest.mark.parametrize(("n_jobs", "prefer"), WAYS)
+def test_exceptions_pass_through(n_jobs, prefer):
+    def function(item):
+        if item == 3:
+            raise KeyError("the third")
+        return item
+
+    with workers(n_jobs), pytest.raises(KeyError, match="the third"):
+        parallel_map(function, range(5), prefer=prefer)
+
+
+def test_processes_are_others_and_without_a_setting_there_are_none():
+    def process(_):
+        return os.getpid()
+
+    assert set(parallel_map(process, range(3))) == {os.getpid()}
+    with parallel_config(n_jobs=2):
+        assert os.getpid() not in parallel_map(process, range(3))
+
+
+@pytest.mark.parametrize("n_jobs", [1, 2, None, 50])
+def test_threads_keep_the_order(n_jobs):
+    assert thread_map(lambda k: k * k, 23, n_jobs) == [k * k for k in range(23)]
+    assert thread_map(lambda k: k, 0, 2) == []
+
+
+def test_one_thread_is_the_callers():
+    assert set(thread_map(lambda _: threading.get_ident(), 3, 1)) == {threading.get_ident()}

@@ -1,0 +1,72 @@
+import csv
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from small_components import REGRESSION
+
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
+from silpose.experiments.setup import prepare
+from silpose.model import load
+from silpose.silhouette import MaskFiles, read_masks
+from silpose.tracking import STATES, BeliefTracker
+
+
+@pytest.fixture(scope="module")
+def described(walkers):
+    return prepare(walkers)
+
+
+@pytest.fixture(scope="module")
+def model(described):
+    return described.model(described.choose_ridge(REGRESSION))
+
+
+@pytest.fixture(scope="module")
+def own(walkers, mask_folder):
+    return replace(walkers, masks=MaskFiles(str(mask_folder), blank="nan"))
+
+
+def poses_of(run):
+    with (run.folder / "poses.csv").open() as file:
+        return list(csv.DictReader(file))
+
+
+def test_poses_of_a_loaded_model_are_written_frame_by_frame(run, own, model, mask_folder, tmp_path):
+    model.save(tmp_path / "model.npz")
+    predicted = run("predict", own, model=str(tmp_path / "model.npz"))
+    rows = poses_of(predicted)
+    expected = model.predict(read_masks(mask_folder), blank="nan")
+    assert [row["file"] for row in rows] == [f"{k}.png" for k in range(12)]
+    assert [row["frame"] for row in rows] == [str(k) for k in range(12)]
+    assert "state" not in rows[0]
+    joints = [f"{name}_{axis}_m" for name in ANGLES.joint_names for axis in "xyz"]
+    written = np.array([[float(row[name]) for name in joints] for row in rows])
+    np.testing.assert_allclose(written, expected.joints.reshape(12, -1), rtol=1e-4, atol=1e-6)
+    headings = [float(row["heading_deg"]) for row in rows]
+    np.testing.assert_allclose(headings, expected.heading, rtol=1e-4)
+    assert np.isnan(headings).nonzero()[0].tolist() == [5]  # the blank one
+    assert predicted.result.model is None and not (predicted.folder / "model.npz").exists()
+
+
+def test_a_model_is_trained_and_kept_where_none_is_given(run, own):
+    predicted = run("predict", own, show="ridge")
+    assert len(poses_of(predicted)) == 12
+    assert load(predicted.folder).tracker is None
+    assert list(predicted.seconds)[-2:] == ["prediction", "recording"]
+
+
+def test_a_model_that_tracks_gives_states_and_no_gap(run, own, described, model, tmp_path):
+    tracker = BeliefTracker(pose_width=0.7, descriptor_width=0.6).fit(described.train)
+    replace(model, tracker=tracker).save(tmp_path / "model.npz")
+    rows = poses_of(run("predict", own, model=str(tmp_path), lag=0.2))
+    assert {row["state"] for row in rows} <= set(STATES)
+    assert all(np.isfinite(float(row["heading_deg"])) for row in rows)
+
+
+def test_masks_are_needed(run, walkers, mask_folder):
+    with pytest.raises(InputError, match=r"silhouette=masks silhouette\.source"):
+        run("predict", walkers)
+    with pytest.raises(InputError, match=r"5\.png' has no foreground"):
+        run("predict", replace(walkers, masks=MaskFiles(str(mask_folder))))

@@ -1,0 +1,68 @@
+import json
+import subprocess
+import sys
+from dataclasses import replace
+
+import pytest
+
+from silpose.core.errors import InputError
+from silpose.dataset.take import Dataset
+from silpose.experiments import EXPERIMENTS
+from silpose.experiments.setup import (
+    prepare_tracking,
+    renderer_of,
+    tidy,
+    want_masks,
+)
+
+
+def test_experiments_are_functions_of_their_modules_name():
+    assert len(EXPERIMENTS) == 21
+    for name, experiment in EXPERIMENTS.items():
+        assert experiment.__name__ == name
+        assert experiment.__module__ == f"silpose.experiments.{name}"
+        assert experiment.__annotations__["return"] == "Result"
+    with pytest.raises(KeyError):
+        EXPERIMENTS["setup"]
+
+
+def test_importing_the_table_imports_no_experiment():
+    code = "import json, sys, silpose.experiments; print(json.dumps(sorted(sys.modules)))"
+    loaded = json.loads(subprocess.check_output([sys.executable, "-c", code]))
+    heavy = {"matplotlib", "sklearn", "cv2", "rerun", "mannequin", "silpose.model"}
+    assert not heavy & set(loaded)
+
+
+class Short:
+    """A dataset whose test take is too short."""
+
+    rendered = True
+
+    def __init__(self, dataset):
+        self.dataset = dataset
+
+    def load(self, renderer):
+        data = self.dataset.load(renderer)
+        take = data.test[0]
+        short = replace(take, x=take.x[:2], masks=take.masks[:2], offset=take.offset[:2])
+        return Dataset(data.name, data.space, data.train, data.validation, [short])
+
+
+def test_a_take_that_is_too_short_to_be_tracked_is_refused(walkers):
+    with pytest.raises(InputError, match="2 frames is too short to be tracked"):
+        prepare_tracking(replace(walkers, dataset=Short(walkers.dataset)))
+
+
+def test_masks_and_rendered_motion_are_demanded_by_name(walkers, authors):
+    want_masks(walkers.load().test, "some")
+    assert renderer_of(walkers, "some") is walkers.renderer
+    with pytest.raises(InputError, match=r"some needs masks.*dataset=same_performer"):
+        want_masks(authors.load().test, "some")
+    with pytest.raises(InputError, match=r"some renders motion.*dataset=same_performer"):
+        renderer_of(authors, "some")
+
+
+def test_metrics_become_rows():
+    rows = tidy({"ridge": {"error": 1.0, "kept": 0.5}, "rvm": {"error": 2.0}})
+    assert rows[1] == {"method": "ridge", "metric": "kept", "value": 0.5}
+    assert len(rows) == 3

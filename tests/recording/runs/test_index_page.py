@@ -1,0 +1,42 @@
+import shutil
+
+import pytest
+
+from silpose.recording.runs.index_page import index_page
+
+
+@pytest.fixture
+def root(finished, tmp_path):
+    """A finished run, one without a recording, one that was cut off."""
+    root = tmp_path / "runs"
+    shutil.copytree(finished.folder, root / "single_image" / "whole")
+    shutil.copytree(finished.folder, root / "single_image" / "<bare>")
+    (root / "single_image" / "<bare>" / "run.rrd").unlink()
+    (root / "single_image" / "killed").mkdir()
+    (root / "single_image" / "killed" / ".run.partial.rrd").touch()
+    return root
+
+
+def test_runs_are_listed_with_their_headlines(root, finished):
+    page = index_page(root, lambda path: f"view:{path}")
+    for method in ("rvm_20", "mean_pose"):
+        assert page.count(f"{finished.metrics[method]['mean_angular_error_deg']:.2f}°") == 2
+    assert "single_image/killed was not finished" in page
+    assert page.count("<img") == 2
+
+
+def test_only_a_run_with_a_recording_is_a_link(root):
+    page = index_page(root, lambda path: f"view:{path}")
+    assert '<a href="view:single_image/whole/run.rrd">whole</a>' in page
+    assert page.count("view:") == 1
+
+
+def test_names_are_escaped(root):
+    page = index_page(root, str)
+    assert "&lt;bare&gt;" in page
+    assert "<bare>" not in page
+    assert "%3Cbare%3E/single_image.png" in page
+
+
+def test_an_empty_folder_has_no_runs(tmp_path):
+    assert "no runs here yet" in index_page(tmp_path, str)

@@ -1,0 +1,30 @@
+import numpy as np
+import pytest
+
+from silpose.core.errors import InputError
+from silpose.regression.mixture import PoseDirections, whitening
+
+
+def test_whitened_residuals_have_nearly_the_same_spread_everywhere():
+    residuals = np.random.default_rng(0).normal(size=(500, 3)) * [0.1, 1.0, 5.0]
+    spread = (residuals @ whitening(residuals)).std(axis=0)
+    assert spread.max() <= 1.0 < residuals.std(axis=0).max()
+    assert spread.max() / spread.min() < 0.5 * 5.0 / 0.1
+
+
+def test_the_first_direction_varies_with_the_pose_not_with_what_varies_most():
+    rng = np.random.default_rng(0)
+    pose = rng.normal(size=(400, 1))
+    nuisance = 10 * rng.normal(size=400)
+    z = np.column_stack([nuisance, pose[:, 0] + 0.1 * rng.normal(size=400)])
+    psi = PoseDirections(1, hellinger=False).fit(z, pose).transform(z)
+    assert psi.shape == (400, 1)
+    assert abs(np.corrcoef(psi[:, 0], pose[:, 0])[0, 1]) > 0.9
+
+
+def test_only_histograms_have_square_roots():
+    z = np.random.default_rng(0).dirichlet(np.ones(5), 40)
+    reduction = PoseDirections(2).fit(z, z)
+    assert reduction.transform(z).mean(axis=0) == pytest.approx([0, 0], abs=1e-9)
+    with pytest.raises(InputError, match="hellinger=False"):
+        reduction.transform(-z)
