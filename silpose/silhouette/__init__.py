@@ -10,7 +10,8 @@ from silpose.silhouette.camera import Camera
 from silpose.silhouette.degradations import DEGRADATIONS, contour_damage, degrade
 from silpose.silhouette.mask_files import MaskFiles, read_masks
 from silpose.silhouette.random_degradation import Degradation, Degrader
-from silpose.silhouette.render import render
+from silpose.silhouette.render import fill_pieces, render
+from silpose.silhouette.rigid_links import RigidLinks
 
 __all__ = [
     "BODIES",
@@ -21,8 +22,10 @@ __all__ = [
     "Degradation",
     "Degrader",
     "MaskFiles",
+    "RigidLinks",
     "contour_damage",
     "degrade",
+    "fill_pieces",
     "is_blank",
     "read_masks",
     "render",

@@ -19,14 +19,14 @@ from silpose.core.types import Array, Array32
 BODIES = ("convex", "wooden")
 LEVELS = (0, 1, 2)
 
-# SMPL-X body joints 1 to 21, by our joints; the three spine joints share the chest's rotation
-# and the toes (None) stay at rest.
-_BODY_POSE: tuple[str | None, ...] = (
+BODY_POSE: tuple[str | None, ...] = (
     "left_hip", "right_hip", "chest", "left_knee", "right_knee", "chest",
     "left_ankle", "right_ankle", "chest", None, None,
     "neck", "left_collar", "right_collar", "head",
     "left_shoulder", "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist",
 )  # fmt: skip
+"""SMPL-X body joints 1 to 21, by our joints; the three spine joints share the chest's rotation, and
+the toes (None) stay at rest."""
 
 
 class Body:
@@ -77,7 +77,7 @@ class Body:
         points : ndarray, shape (F, P, K, 3)
             Metres, the root at the origin: P pieces of K points.
         """
-        mannequin, root, links = _build(self.kind, self.level, self.shape)
+        mannequin, root, links = build_mannequin(self.kind, self.level, self.shape)
         if links is None:
             return self.triangles(rotations)
         pose = _smplx_pose(mannequin, np.asarray(rotations, dtype=float))
@@ -98,14 +98,14 @@ class Body:
         points : ndarray, shape (F, T, 3, 3)
             Metres, the root at the origin: T triangles.
         """
-        mannequin, root, _ = _build(self.kind, self.level, self.shape)
+        mannequin, root, _ = build_mannequin(self.kind, self.level, self.shape)
         pose = _smplx_pose(mannequin, np.asarray(rotations, dtype=float))
         vertices = mannequin.vertices(pose) - root
         return vertices[:, mannequin.faces].astype(np.float32)
 
 
 @lru_cache(maxsize=8)  # a body takes longer to build than to pose, and many are drawn
-def _build(
+def build_mannequin(
     kind: str, level: int, shape: tuple[float, ...] | None
 ) -> tuple[Mannequin, Array32, Array32 | None]:
     """Mannequin, position of its root at rest, and the points of its links if it has any."""
@@ -122,7 +122,7 @@ def _smplx_pose(mannequin: Mannequin, rotations: Array) -> dict[str, Array32]:
     pose = mannequin.rest_pose(batch_dims=(len(rotations),))
     by_joint = dict(zip(JOINTS, np.moveaxis(rotations, 1, 0), strict=True))
     by_joint["chest"] = spine_thirds(by_joint["chest"])
-    for b, joint in enumerate(_BODY_POSE):
+    for b, joint in enumerate(BODY_POSE):
         if joint is not None:
             pose["body_pose"][:, b] = Rotation.from_matrix(by_joint[joint]).as_rotvec()
     pose["pelvis_rotation"][:] = Rotation.from_matrix(by_joint["root"]).as_rotvec()

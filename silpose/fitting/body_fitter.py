@@ -1,0 +1,159 @@
+"""The estimator: from masks and estimated poses to the poses that explain the masks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES as SPACE
+from silpose.core.types import Array, Mask
+from silpose.fitting.contour import contour_of
+from silpose.fitting.fit import Fit
+from silpose.fitting.geometry import geometry_of
+from silpose.fitting.likelihood import ANGLES, PARAMETERS, SHAPE, Matching
+from silpose.fitting.outline import View
+from silpose.fitting.prior import PosePrior
+from silpose.fitting.problem import KNOWN, Problem
+from silpose.silhouette import Body, Camera
+
+Knowledge = Literal["known", "estimated"]
+
+# Standard deviations of what is not known: image shift and log scale, elevation, shape.
+_SHIFT, _SCALE, _ELEVATION_DEG, _SHAPE = 0.05, 0.1, 5.0, 1.0
+
+
+class BodyFitter:
+    """Fits a body of rigid links to masks.
+
+    Parameters
+    ----------
+    body : Body
+        Of kind ``convex``. With an estimated shape, the one expected.
+    camera : Camera
+        With an estimated camera, the one expected; the image's shift, scale and elevation change.
+    prior : PosePrior
+        How the estimates err that the fit starts from.
+    camera_is : {"known", "estimated"}, default="known"
+    shape_is : {"known", "estimated"}, default="known"
+    whole_take : bool, default=True
+        Whether frames are fitted together, as a take in which poses follow each other.
+    iterations : int, default=10
+        Gauss-Newton steps of each frame and start.
+    matching : Matching
+        How contours are compared.
+    """
+
+    def __init__(
+        self,
+        body: Body,
+        camera: Camera,
+        prior: PosePrior,
+        *,
+        camera_is: Knowledge = "known",
+        shape_is: Knowledge = "known",
+        whole_take: bool = True,
+        iterations: int = 10,
+        matching: Matching | None = None,
+    ) -> None:
+        self.body = body
+        self.camera = camera
+        self.prior = prior
+        self.camera_is = camera_is
+        self.shape_is = shape_is
+        self.whole_take = whole_take
+        self.iterations = iterations
+        self.matching = matching or Matching()
+
+    def fit(
+        self,
+        masks: Sequence[Mask],
+        start: ArrayLike,
+        *,
+        others: ArrayLike | None = None,
+        roots: ArrayLike | None = None,
+        frames_per_second: float = 15.0,
+    ) -> Fit:
+        """Fit the body to masks.
+
+        Parameters
+        ----------
+        masks : sequence of ndarray, each (H, W)
+            Consecutive frames of one person, all of the camera's size; a blank one has nothing to
+            fit to.
+        start : array-like, shape (F, 55)
+            Estimated poses, around which the prior is; NaN where there is none.
+        others : array-like, shape (F, S, 55), optional
+            Further poses to start from, such as the modes of a mixture; NaN is none. The more
+            probable end of all starts counts, and over a take the path of such ends.
+        roots : array-like, shape (F, 3), optional
+            Root relative to what the camera looks at, metres; at the origin by default.
+        frames_per_second : float, default=15.0
+
+        Returns
+        -------
+        fit : Fit
+        """
+        starts = _parameters_of(start, others, len(self._free))
+        places = np.zeros((len(starts), 3)) if roots is None else np.asarray(roots, dtype=float)
+        if not len(masks) == len(starts) == len(places):
+            raise InputError(
+                f"{len(masks)} masks, {len(starts)} starts and {len(places)} roots do not belong "
+                "together: give one of each for every frame"
+            )
+        size = (self.camera.height, self.camera.width)
+        if wrong := [np.shape(mask) for mask in masks if np.shape(mask) != size]:
+            raise InputError(
+                f"a mask has shape {wrong[0]} where the camera's is {size}: fit with "
+                f"Camera(width={wrong[0][1]}, height={wrong[0][0]})"
+            )
+        contours = [contour_of(mask) for mask in masks]
+        seen = np.array([len(c.pixels) > 0 for c in contours]) & np.isfinite(starts[:, 0, 0])
+        if not seen.any():
+            raise InputError("no frame has both a person and an estimated pose to start from")
+        problem = Problem(
+            geometry_of(self.body), self.view, self.matching, self.prior, self._free, starts,
+            places, contours, np.flatnonzero(seen), self.iterations,
+        )  # fmt: skip
+        if self.camera_is == "estimated":
+            problem = problem.with_aligned_starts()
+        parameters, covariance = problem.frame_by_frame(1 / frames_per_second)
+        if self.whole_take:
+            parameters, covariance = problem.together(parameters, 1 / frames_per_second)
+        return problem.fit_of(parameters, covariance, masks)
+
+    @property
+    def view(self) -> View:
+        """The camera as the fit sees it."""
+        camera = self.camera
+        return View(
+            camera.focal_pixels, float(np.deg2rad(camera.elevation)), camera.distance,
+            (camera.width - 1) / 2, (camera.height - 1) / 2,
+        )  # fmt: skip
+
+    @property
+    def _free(self) -> Array:
+        """Precision of image shift, log scale, elevation and shape; empty if all are known."""
+        if self.camera_is == self.shape_is == "known":
+            return np.empty(0)
+        free = np.full(PARAMETERS - ANGLES, KNOWN)
+        if self.camera_is == "estimated":
+            shift = _SHIFT * self.camera.height
+            deviations = [shift, shift, _SCALE, np.deg2rad(_ELEVATION_DEG)]
+            free[: SHAPE - ANGLES] = 1 / np.square(deviations)
+        if self.shape_is == "estimated":
+            free[SHAPE - ANGLES :] = 1 / _SHAPE**2
+        return free
+
+
+def _parameters_of(start: ArrayLike, others: ArrayLike | None, free: int) -> Array:
+    """Parameters (F, 1 + S, 54 + free) of poses."""
+    poses = np.asarray(start, dtype=float)[:, None]
+    if others is not None:
+        poses = np.concatenate([poses, np.asarray(others, dtype=float)], axis=1)
+    parameters = np.zeros((*poses.shape[:2], ANGLES + free))
+    parameters[..., :ANGLES] = np.deg2rad(SPACE.angles(poses))
+    return parameters

@@ -1,0 +1,125 @@
+"""Pose of the kinematic tree, and how it turns with each of the 54 angles, in compiled code."""
+
+from __future__ import annotations
+
+from math import acos, cos, sin, sqrt
+
+import numpy as np
+from numba import njit
+
+from silpose.core.skeleton import JOINTS
+from silpose.core.types import Array
+from silpose.fitting.geometry import Geometry
+
+_CHEST = JOINTS.index("chest")
+_SMALL = 1e-6  # radians, below which a rotation is its first-order term
+
+
+@njit(cache=True)
+def pose_tree(angles: Array, geometry: Geometry) -> tuple[Array, Array, Array]:
+    """Pose the tree.
+
+    Parameters
+    ----------
+    angles : ndarray, shape (54,)
+        Radians.
+    geometry : Geometry
+
+    Returns
+    -------
+    rotations : ndarray, shape (N, 3, 3)
+        Of each node in the world.
+    positions : ndarray, shape (N, 3)
+        Metres, the root at the origin.
+    axes : ndarray, shape (N, 3, 3)
+        World axes about which a node turns with each of its joint's three angles, as rows: a point
+        p below the node moves by axis x (p - position) per radian.
+    """
+    parents, joints = geometry.parents, geometry.joints
+    count = len(parents)
+    rotations = np.empty((count, 3, 3))
+    positions = np.zeros((count, 3))
+    axes = np.zeros((count, 3, 3))
+    local, local_axes = np.empty((18, 3, 3)), np.empty((18, 3, 3))
+    for j in range(18):
+        first = _about(geometry.orders[j, 0], angles[3 * j])
+        two = first @ _about(geometry.orders[j, 1], angles[3 * j + 1])
+        local[j] = two @ _about(geometry.orders[j, 2], angles[3 * j + 2])
+        for row in range(3):  # columns are the axes
+            local_axes[j, row, 0] = 1.0 if row == geometry.orders[j, 0] else 0.0
+            local_axes[j, row, 1] = first[row, geometry.orders[j, 1]]
+            local_axes[j, row, 2] = two[row, geometry.orders[j, 2]]
+    _share_chest(local, local_axes)
+    for node in range(count):
+        parent, joint = parents[node], joints[node]
+        above = np.eye(3)
+        if parent >= 0:
+            above = rotations[parent].copy()
+            positions[node] = positions[parent] + above @ geometry.offsets[node]
+        if joint < 0:
+            rotations[node] = above
+        else:
+            rotations[node] = above @ local[joint]
+            axes[node] = (above @ local_axes[joint]).T
+    return rotations, positions, axes
+
+
+@njit(cache=True)
+def _share_chest(local: Array, axes: Array) -> None:
+    """Replace the chest's rotation by a third of it, and its axes by those of the third.
+
+    With R = exp(v) and J the left Jacobian of SO(3), a small turn w of R turns exp(v / 3) by
+    J(v / 3) J(v)^-1 w / 3.
+    """
+    vector = _logarithm(local[_CHEST])
+    turn = _left_jacobian(vector / 3) @ np.linalg.solve(_left_jacobian(vector), axes[_CHEST]) / 3
+    local[_CHEST] = _exponential(vector / 3)
+    axes[_CHEST] = turn
+
+
+@njit(cache=True)
+def _about(axis: int, angle: float) -> Array:
+    rotation = np.eye(3)
+    one, two = (axis + 1) % 3, (axis + 2) % 3
+    rotation[one, one] = rotation[two, two] = cos(angle)
+    rotation[two, one] = sin(angle)
+    rotation[one, two] = -sin(angle)
+    return rotation
+
+
+@njit(cache=True)
+def _cross_matrix(v: Array) -> Array:
+    return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
+
+
+@njit(cache=True)
+def _logarithm(rotation: Array) -> Array:
+    """Rotation vector of a matrix."""
+    cosine = (rotation[0, 0] + rotation[1, 1] + rotation[2, 2] - 1) / 2
+    angle = acos(min(1.0, max(-1.0, cosine)))
+    twice = np.array(
+        [
+            rotation[2, 1] - rotation[1, 2],
+            rotation[0, 2] - rotation[2, 0],
+            rotation[1, 0] - rotation[0, 1],
+        ]
+    )
+    return twice / 2 if angle < _SMALL else twice * angle / (2 * max(sin(angle), _SMALL))
+
+
+@njit(cache=True)
+def _exponential(v: Array) -> Array:
+    """Matrix of a rotation vector."""
+    angle, cross = sqrt((v**2).sum()), _cross_matrix(v)
+    if angle < _SMALL:
+        return np.eye(3) + cross
+    return np.eye(3) + sin(angle) / angle * cross + (1 - cos(angle)) / angle**2 * (cross @ cross)
+
+
+@njit(cache=True)
+def _left_jacobian(v: Array) -> Array:
+    angle, cross = sqrt((v**2).sum()), _cross_matrix(v)
+    if angle < _SMALL:
+        return np.eye(3) + cross / 2
+    second = (angle - sin(angle)) / angle**3
+    return np.eye(3) + (1 - cos(angle)) / angle**2 * cross + second * (cross @ cross)

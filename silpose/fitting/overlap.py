@@ -1,0 +1,77 @@
+"""Overlap of a fitted body's silhouette with a mask."""
+
+from __future__ import annotations
+
+from math import exp
+
+import numpy as np
+
+from silpose.core.types import Array, Mask
+from silpose.fitting.contour import Contour
+from silpose.fitting.geometry import Geometry, with_shape
+from silpose.fitting.kinematics import pose_tree
+from silpose.fitting.likelihood import ANGLES, ELEVATION, LOG_SCALE, SHAPE, SHIFT_X, SHIFT_Y
+from silpose.fitting.outline import View
+from silpose.silhouette import fill_pieces
+
+
+def projected_links(parameters: Array, root: Array, geometry: Geometry, view: View) -> Array:
+    """Project the links' points of the body that parameters (68,) describe, shape (L, K, 2)."""
+    shaped = with_shape(geometry, parameters[SHAPE:])
+    rotations, positions, _ = pose_tree(parameters[:ANGLES], shaped)
+    turned = shaped.points @ np.swapaxes(rotations[shaped.nodes], 1, 2)
+    x, y, z = np.moveaxis(turned + positions[shaped.nodes][:, None] + root, -1, 0)
+    elevation = view.elevation + parameters[ELEVATION]
+    sine, cosine = np.sin(elevation), np.cos(elevation)
+    unit = exp(view.log_scale + parameters[LOG_SCALE]) * view.focal
+    unit = unit / np.maximum(view.distance - sine * y - cosine * z, 1e-3)
+    across = unit * x + view.centre_x + view.shift_x + parameters[SHIFT_X]
+    down = unit * (sine * z - cosine * y) + view.centre_y + view.shift_y + parameters[SHIFT_Y]
+    flat = np.stack([across, down], axis=-1)
+    for link, count in enumerate(shaped.counts):  # padding repeats a point of the link's own
+        flat[link, count:] = flat[link, 0]
+    return flat
+
+
+def silhouette_of(
+    parameters: Array, root: Array, geometry: Geometry, view: View, height: int, width: int
+) -> Mask:
+    """Fill the silhouette of the body that parameters (68,) describe."""
+    flat = projected_links(parameters, root, geometry, view)
+    return fill_pieces(flat.astype(np.float32), height, width)
+
+
+def aligned(
+    parameters: Array, root: Array, contour: Contour, geometry: Geometry, view: View
+) -> Array:
+    """Shift and scale the image so that the body's bounding box is the contour's.
+
+    Parameters
+    ----------
+    parameters : ndarray, shape (68,)
+    root : ndarray, shape (3,)
+    contour : Contour
+    geometry, view
+
+    Returns
+    -------
+    parameters : ndarray, shape (68,)
+    """
+    flat = projected_links(parameters, root, geometry, view).reshape(-1, 2)
+    (left, top), (right, bottom) = contour.pixels.min(axis=0), contour.pixels.max(axis=0)
+    ratio = (bottom - top) / np.ptp(flat[:, 1])
+    centre = np.array([view.centre_x, view.centre_y])
+    middle = (flat.min(axis=0) + flat.max(axis=0)) / 2
+    moved = parameters.copy()
+    moved[LOG_SCALE] += np.log(ratio)
+    present = parameters[[SHIFT_X, SHIFT_Y]]
+    scaled = centre + ratio * (middle - present - centre)
+    moved[[SHIFT_X, SHIFT_Y]] = np.array([left + right, top + bottom]) / 2 - scaled
+    return moved
+
+
+def overlap(one: Mask, other: Mask) -> float:
+    """Intersection over union of two masks of 0 and other values; 0 if both are blank."""
+    first, second = one != 0, other != 0
+    union = np.count_nonzero(first | second)
+    return np.count_nonzero(first & second) / union if union else 0.0

@@ -1,0 +1,214 @@
+"""A whole take at once: poses that follow each other, and what all frames share.
+
+With u_t the error of the estimate at frame t, b its lasting part and φ = exp(-Δt / τ),
+
+    u_0 - b ~ N(0, (1 - ρ) S),   u_t - b ~ N(φ (u_{t-1} - b), (1 - φ²) (1 - ρ) S),   b ~ N(0, ρ S),
+
+so that the normal equations of all frames are block-tridiagonal in u, with a border: b, the
+image's scale, the camera's elevation and the body's shape.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from silpose.core.parallel import parallel_map
+from silpose.core.types import Array, Indices
+from silpose.fitting.contour import Contour
+from silpose.fitting.frame_fit import difference
+from silpose.fitting.geometry import Geometry
+from silpose.fitting.likelihood import ANGLES, LOG_SCALE, Matching, add_evidence
+from silpose.fitting.outline import View
+from silpose.fitting.prior import PosePrior
+
+_LONGEST = np.deg2rad(15.0)  # of a step, in every angle
+
+
+def most_likely_path(modes: Sequence[Array], costs: Sequence[Array], covariance: Array) -> Indices:
+    """Choose one of each frame's modes by Viterbi's algorithm.
+
+    Parameters
+    ----------
+    modes : sequence of ndarray, each (k, P)
+        Parameters, by frame.
+    costs : sequence of ndarray, each (k,)
+        Minus twice their log posterior densities.
+    covariance : ndarray, shape (54, 54)
+        Of the change of angles from a frame to the next, radians².
+
+    Returns
+    -------
+    path : ndarray of int, shape (F,)
+    """
+    precision = np.linalg.inv(covariance)
+    total, came_from = np.asarray(costs[0]), []
+    for before, now, own in zip(modes[:-1], modes[1:], costs[1:], strict=True):
+        change = now[None, :, :ANGLES] - before[:, None, :ANGLES]
+        change -= 2 * np.pi * np.round(change / (2 * np.pi))
+        through = total[:, None] + np.einsum("ijd,de,ije->ij", change, precision, change)
+        came_from.append(through.argmin(axis=0))
+        total = through.min(axis=0) + own
+    path = [int(np.argmin(total))]
+    for best in reversed(came_from):
+        path.append(int(best[path[-1]]))
+    return np.array(path[::-1])
+
+
+def fit_take(
+    parameters: Array,
+    mean: Array,
+    free_precision: Array,
+    prior: PosePrior,
+    step_seconds: float,
+    roots: Array,
+    contours: Sequence[Contour],
+    geometry: Geometry,
+    view: View,
+    matching: Matching,
+    iterations: int,
+) -> tuple[Array, Array]:
+    """Minimise misfit and distance from the prior over all frames.
+
+    Parameters
+    ----------
+    parameters : ndarray, shape (F, P)
+        To start from, the shared ones alike in all frames.
+    mean : ndarray, shape (F, P)
+        Estimates; those of shift, scale, elevation and shape are what is expected of them.
+    free_precision : ndarray, shape (P - 54,)
+        Of the prior on image shift, scale, elevation and shape.
+    prior : PosePrior
+    step_seconds : float
+        From frame to frame.
+    roots : ndarray, shape (F, 3)
+    contours : sequence of Contour
+        Without points where there is nothing to see.
+    geometry, view, matching
+        As for `likelihood.add_evidence`.
+    iterations : int
+
+    Returns
+    -------
+    parameters : ndarray, shape (F, P)
+    covariances : ndarray, shape (F, 54, 54)
+        Of the angles, radians²: the posterior's, shared parameters at their best.
+    """
+    frames = len(parameters)
+    evidence = partial(_evidence, geometry=geometry, view=view, matching=matching)
+    chain = _Chain(prior, step_seconds, frames, free_precision)
+    covariances = np.empty((frames, ANGLES, ANGLES))
+    for _ in range(iterations):
+        parts = parallel_map(
+            evidence, list(zip(parameters, roots, contours, strict=True)), prefer="threads"
+        )
+        hessians = np.stack([hessian for hessian, _ in parts])
+        gradients = np.stack([gradient for _, gradient in parts])
+        errors = np.stack([difference(p, m) for p, m in zip(parameters, mean, strict=True)])
+        new, covariances = chain.solve(hessians, gradients, errors)
+        steps = new - errors
+        steps[:, :ANGLES] = np.clip(steps[:, :ANGLES], -_LONGEST, _LONGEST)
+        parameters = parameters + steps
+    return parameters, covariances
+
+
+def _evidence(
+    frame: tuple[Array, Array, Contour], geometry: Geometry, view: View, matching: Matching
+) -> tuple[Array, Array]:
+    parameters, root, contour = frame
+    size = len(parameters)
+    hessian, gradient = np.zeros((size, size)), np.zeros(size)
+    if len(contour.pixels):
+        add_evidence(parameters, root, contour, geometry, view, matching, hessian, gradient)
+    return hessian, gradient
+
+
+class _Chain:
+    """Prior of a take, and the solution of its bordered block-tridiagonal normal equations.
+
+    The border holds the lasting error b (54) and the shared parameters (12).
+    """
+
+    def __init__(
+        self, prior: PosePrior, step_seconds: float, frames: int, free_precision: Array
+    ) -> None:
+        self.width = min(ANGLES + len(free_precision), LOG_SCALE)  # parameters of a frame's own
+        shared = ANGLES + len(free_precision) - self.width
+        phi = np.exp(-step_seconds / prior.seconds)
+        own, border = np.zeros((self.width, self.width)), np.zeros((self.width, ANGLES + shared))
+        first = own.copy()
+        first[:ANGLES, :ANGLES] = prior.precision / (1 - prior.lasting)
+        later = first / (1 - phi**2)
+        self.off = -phi * later
+        self.own = np.stack([own] * frames)
+        self.border = np.stack([border] * frames)
+        block = later[:ANGLES, :ANGLES]
+        for t in range(frames):
+            self.own[t] += first if t == 0 else later
+            self.border[t, :ANGLES, :ANGLES] -= (
+                first[:ANGLES, :ANGLES] if t == 0 else (1 - phi) * block
+            )
+            if t < frames - 1:
+                self.own[t] += phi**2 * later
+                self.border[t, :ANGLES, :ANGLES] += phi * (1 - phi) * block
+            moved = range(ANGLES, self.width)
+            self.own[t][moved, moved] += free_precision[: self.width - ANGLES]
+        self.corner = np.zeros((ANGLES + shared, ANGLES + shared))
+        self.corner[:ANGLES, :ANGLES] = (
+            first[:ANGLES, :ANGLES]
+            + (frames - 1) * (1 - phi) ** 2 * block
+            + prior.precision / max(prior.lasting, 1e-6)
+        )
+        alike = range(ANGLES, ANGLES + shared)
+        self.corner[alike, alike] += free_precision[self.width - ANGLES :]
+
+    def solve(self, hessians: Array, gradients: Array, errors: Array) -> tuple[Array, Array]:
+        """Minimise the quadratic model, in terms of parameters less their expected values.
+
+        Parameters
+        ----------
+        hessians, gradients : ndarray, shapes (F, P, P) and (F, P)
+            Of the likelihood, at the present parameters.
+        errors : ndarray, shape (F, P)
+            Present parameters less their expected values.
+
+        Returns
+        -------
+        errors : ndarray, shape (F, P)
+        covariances : ndarray, shape (F, 54, 54)
+        """
+        frames, width = len(errors), self.width
+        right = gradients + np.einsum("tij,tj->ti", hessians, errors)
+        diagonal = self.own + hessians[:, :width, :width]
+        border = self.border.copy()
+        border[:, :, ANGLES:] += hessians[:, :width, width:]
+        corner = self.corner.copy()
+        corner[ANGLES:, ANGLES:] += hessians[:, width:, width:].sum(axis=0)
+        sides = np.concatenate([right[:, :width, None], border], axis=2)
+        forward, known = diagonal.copy(), sides.copy()
+        for t in range(1, frames):
+            before = np.linalg.solve(forward[t - 1], np.hstack([self.off.T, known[t - 1]]))
+            forward[t] -= self.off @ before[:, :width]
+            known[t] -= self.off @ before[:, width:]
+        solved = np.empty_like(known)
+        covariances = np.empty((frames, ANGLES, ANGLES))
+        inverse = np.linalg.inv(forward[-1])
+        solved[-1], covariances[-1] = inverse @ known[-1], inverse[:ANGLES, :ANGLES]
+        for t in range(frames - 2, -1, -1):
+            gain = np.linalg.solve(forward[t], self.off.T)
+            solved[t] = np.linalg.solve(forward[t], known[t]) - gain @ solved[t + 1]
+            inverse = np.linalg.inv(forward[t]) + gain @ inverse @ gain.T
+            covariances[t] = inverse[:ANGLES, :ANGLES]
+        own, through = solved[:, :, 0], solved[:, :, 1:]
+        reduced = corner - np.einsum("tib,tic->bc", border, through)
+        target = np.concatenate([np.zeros(ANGLES), right[:, width:].sum(axis=0)])
+        target -= np.einsum("tib,ti->b", border, own)
+        shared = np.linalg.solve(reduced, target)
+        spread = np.einsum("tib,bc,tjc->tij", through, np.linalg.inv(reduced), through)
+        covariances = covariances + spread[:, :ANGLES, :ANGLES]
+        new = np.empty_like(errors)
+        new[:, :width] = own - through @ shared
+        new[:, width:] = shared[ANGLES:]
+        return new, covariances

@@ -1,0 +1,37 @@
+import numpy as np
+import pytest
+from synthetic import swinging
+
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
+from silpose.fitting import PosePrior
+
+
+def test_the_covariance_is_that_of_the_errors():
+    rng = np.random.default_rng(0)
+    true = [ANGLES.from_angles(swinging(400, seed)) for seed in range(3)]
+    spread = rng.uniform(1, 10, 54)
+    wrong = [ANGLES.from_angles(ANGLES.angles(x) + rng.normal(0, spread, (400, 54))) for x in true]
+    prior = PosePrior.from_errors(true, wrong, 15.0)
+    assert np.sqrt(np.diag(prior.covariance)) == pytest.approx(np.sqrt(spread**2 + 0.49), rel=0.1)
+
+
+def test_frames_seen_from_the_wrong_side_tell_nothing():
+    rng = np.random.default_rng(0)
+    x = ANGLES.from_angles(swinging(200))
+    errors = rng.normal(0, 3, (200, 54))
+    errors[::4, 0] = 180
+    prior = PosePrior.from_errors([x], [ANGLES.from_angles(ANGLES.angles(x) + errors)], 15.0)
+    assert prior.covariance[0, 0] < 20
+
+
+def test_too_few_frames_are_refused():
+    x = ANGLES.from_angles(swinging(20))
+    with pytest.raises(InputError, match="54 held-out frames"):
+        PosePrior.from_errors([x], [x], 15.0)
+
+
+@pytest.mark.parametrize("wrong", [{"lasting": 1.0}, {"lasting": -0.1}, {"seconds": 0.0}])
+def test_impossible_times_are_refused(wrong):
+    with pytest.raises(InputError, match="lasts for a share below 1"):
+        PosePrior(np.eye(54), np.eye(54), **wrong)
