@@ -51,6 +51,7 @@ def build_components(settings: DictConfig) -> Components:
         descriptor=build_alternative("descriptor", given["descriptor"]),
         regression=_group_of_candidates("regression", given["regression"]),
         tracking=_group_of_candidates("tracking", given["tracking"]),
+        fitting=build("fitting", given["fitting"]),
         seed=given["seed"],
         cache=build("dataset", kept, source=source, described=described),
     )

@@ -84,6 +84,7 @@ COMPONENTS: dict[str, Component] = {
     "tracking.single_pose": _candidates("silpose.tracking:SinglePoseTracker", *_TRACKER),
     "tracking.hypotheses": _candidates("silpose.tracking:MultipleHypothesisTracker", *_TRACKER),
     "tracking.baselines": Component("silpose.tracking:SmoothingBaselines"),
+    "fitting": Component("silpose.fitting:FittingOptions"),
     "dataset": Component("silpose.app.compose:descriptor_cache"),
     "recording": Component("silpose.recording:RunFolder.start", ("experiment", "settings")),
 }

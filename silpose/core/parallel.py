@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from os import cpu_count
+from os import cpu_count, getpid
 from typing import Literal, TypeVar
 
 import numpy as np
@@ -54,7 +54,7 @@ def parallel_map(
     workers = Parallel(n_jobs, prefer=prefer, return_as="generator")
     outcomes = []
     with threadpool_limits(1), bar(description, len(items)) as advance:
-        for outcome in workers(delayed(_on_one_thread)(function, item) for item in items):
+        for outcome in workers(delayed(_on_one_thread)(function, item, getpid()) for item in items):
             outcomes.append(outcome)
             advance(1)
     return outcomes
@@ -86,6 +86,8 @@ def thread_map(
         return [outcome for block in done for outcome in block]
 
 
-def _on_one_thread(function: Callable[[Item], Outcome], item: Item) -> Outcome:
+def _on_one_thread(function: Callable[[Item], Outcome], item: Item, caller: int) -> Outcome:
+    if getpid() == caller:
+        return function(item)
     with threadpool_limits(1):  # in a process of its own, the caller's limit does not hold
         return function(item)

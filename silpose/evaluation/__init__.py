@@ -5,6 +5,8 @@ Takes true and estimated poses and gives numbers and rows for ``metrics.json`` a
 """
 
 from silpose.evaluation.baselines import BASELINES, baselines, oracle
+from silpose.evaluation.coverage import angles_covered, coverage_by_limb, joints_covered
+from silpose.evaluation.error_breakdown import TWIST_ANGLES, error_rows, twist_errors
 from silpose.evaluation.heading import (
     HEADING_LIMIT_DEG,
     heading_confidence,
@@ -28,20 +30,26 @@ __all__ = [
     "HEADLINES",
     "KINDS",
     "METRICS",
+    "TWIST_ANGLES",
     "FailureSequence",
     "FailureTrial",
+    "angles_covered",
     "baselines",
     "blank_trials",
+    "coverage_by_limb",
     "cut_trials",
     "depth_mirrored",
     "differences",
+    "error_rows",
     "heading_confidence",
     "heading_errors",
     "headlines",
     "joint_distances",
+    "joints_covered",
     "key_angles",
     "kinds_of",
     "measure",
     "oracle",
     "thigh_swing",
+    "twist_errors",
 ]

@@ -13,6 +13,8 @@ HEADLINES: Mapping[str, tuple[str, str]] = {
     "heading_median_deg": ("heading", "{:.1f}°"),
     "heading_over_20deg": ("off by 20°", "{:.0%}"),
     "mpjpe_mm": ("joints", "{:.0f} mm"),
+    "silhouette_iou": ("overlap", "{:.2f}"),
+    "coverage_angles": ("covered", "{:.0%}"),
     "log_likelihood": ("log-likelihood", "{:.1f}"),
     "frames": ("frames", "{:.0%}"),
     "frames_by_neighbours": ("frames, by similar silhouettes", "{:.0%}"),

@@ -18,7 +18,7 @@ NAMES = (
     *("descriptor_space", "similarity", "descriptor_robustness", "descriptor_choices"),
     *("bridges", "parts", "feature_selection", "regressors"),
     *("tracking", "extinction", "damping", "kernel_widths", "initialisation"),
-    *("mixture", "ambiguity", "hypotheses"),
+    *("mixture", "ambiguity", "hypotheses", "fitting"),
 )
 
 

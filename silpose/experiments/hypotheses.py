@@ -14,7 +14,7 @@ from silpose.core.stages import stage, timed
 from silpose.core.types import Array, Row
 from silpose.evaluation import HEADING_LIMIT_DEG, FailureSequence, blank_trials, cut_trials
 from silpose.experiments.figures import ESTIMATED, NEUTRAL, TRUE, format_headings
-from silpose.experiments.setup import Components, prepare_tracking, tidy
+from silpose.experiments.setup import Components, fitter_of_model, prepare_tracking, tidy
 from silpose.model import TrackerTraining
 from silpose.recording import (
     GroundTruth,
@@ -72,6 +72,7 @@ def hypotheses(components: Components, *, blank_frames: int = 20, trials: int = 
         track = tracker.track(sequence.z)
     take, space = sequence.take, described.data.space
     headline = training.validation_error("hypotheses")
+    fitter = fitter_of_model(components, described, training.ridge)
     return Result(
         described.data.name,
         metrics,
@@ -86,7 +87,7 @@ def hypotheses(components: Components, *, blank_frames: int = 20, trials: int = 
             f"{take.name} by {take.performer}, with blank frames and a cut injected",
             partial(_record, space, sequence, mixture, track, take.camera_or(components.camera)),
         ),
-        model=described.model(training.ridge, tracker),
+        model=described.model(training.ridge, tracker, fitter),
         headline=headline,
     )
 

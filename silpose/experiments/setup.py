@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from silpose.core.errors import InputError
 from silpose.core.types import Metrics, Row
 from silpose.dataset import Dataset, DatasetSource, Renderer, Take
 from silpose.descriptor import ShapeContextHistogram
-from silpose.model import DescribedDataset, DescriptorCache, TrackerTraining, describe_dataset
-from silpose.regression import RegressionCandidates
+from silpose.fitting import FittingOptions
+from silpose.model import (
+    DescribedDataset,
+    DescriptorCache,
+    FitterTraining,
+    PoseFitter,
+    TrackerTraining,
+    describe_dataset,
+)
+from silpose.regression import RegressionCandidates, Regressor
 from silpose.silhouette import Camera, MaskFiles
 from silpose.tracking import TrackingCandidates
 
@@ -38,6 +46,8 @@ class Components:
         Regressors and mixtures, and the settings to choose from.
     tracking : TrackingCandidates
         Trackers and their baselines, and the settings to choose from.
+    fitting : FittingOptions
+        Whether and how bodies are fitted to masks.
     seed : int
     cache : DescriptorCache or None
         Holds descriptors from one run to the next.
@@ -50,6 +60,7 @@ class Components:
     descriptor: ShapeContextHistogram
     regression: RegressionCandidates
     tracking: TrackingCandidates
+    fitting: FittingOptions = field(default_factory=FittingOptions)
     seed: int = 0
     cache: DescriptorCache | None = None
 
@@ -61,6 +72,8 @@ class Components:
 def prepare(components: Components) -> DescribedDataset:
     """Render or read the dataset, fit the codebook and describe every mask."""
     data = components.load()
+    if components.fitting.enabled:
+        want_masks([*data.train, *data.validation, *data.test], "fitting.enabled=true")
     return describe_dataset(data, components.descriptor, components.cache)
 
 
@@ -74,6 +87,33 @@ def prepare_tracking(components: Components) -> TrackerTraining:
     """
     described = prepare(components)
     return TrackerTraining.of(described, components.regression, components.tracking)
+
+
+def prepare_fitting(
+    components: Components, described: DescribedDataset, regressor: Regressor
+) -> FitterTraining:
+    """Prepare what a fitter is trained with.
+
+    Parameters
+    ----------
+    components : Components
+    described : DescribedDataset
+    regressor : Regressor
+        Fitted; its estimates are what fits start from.
+    """
+    renderer = renderer_of(components, "fitting")
+    return FitterTraining.of(
+        described, regressor, components.fitting, renderer.body, components.camera
+    )
+
+
+def fitter_of_model(
+    components: Components, described: DescribedDataset, regressor: Regressor
+) -> PoseFitter | None:
+    """Train the fitter that a model keeps; none unless fitting is enabled."""
+    if not components.fitting.enabled:
+        return None
+    return prepare_fitting(components, described, regressor).pose_fitter
 
 
 def want_masks(takes: Sequence[Take], experiment: str) -> None:

@@ -8,7 +8,7 @@ from functools import partial
 from silpose.core.errors import InputError
 from silpose.core.types import Array, Row
 from silpose.evaluation import heading_confidence, key_angles
-from silpose.experiments.setup import Components, prepare, tidy
+from silpose.experiments.setup import Components, fitter_of_model, prepare, tidy
 from silpose.experiments.single_image_figure import single_image_figure
 from silpose.model import DescribedDataset, PoseModel, compare
 from silpose.recording import (
@@ -54,7 +54,9 @@ def single_image(
     for method in methods:
         metrics[method] |= heading_confidence(space, true, estimates[method])
     angles = key_angles(space, true, estimates[show])
-    model = described.model(chosen.regressors[show])
+    usual = chosen.regressors.get("ridge", chosen.regressors[show])
+    fitter = fitter_of_model(components, described, usual)
+    model = described.model(chosen.regressors[show], fitter=fitter)
     take = described.data.test[0]
     camera = take.camera_or(components.camera)
     of_take = {method: x[: len(take)] for method, x in estimates.items()}

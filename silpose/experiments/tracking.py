@@ -11,7 +11,7 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array
 from silpose.evaluation import thigh_swing
 from silpose.experiments.figures import ESTIMATED, TRUE, format_headings, in_words
-from silpose.experiments.setup import Components, prepare_tracking, tidy
+from silpose.experiments.setup import Components, fitter_of_model, prepare_tracking, tidy
 from silpose.recording import GroundTruth, Recording, Result, record_tracking
 from silpose.tracking import GIVEN
 
@@ -61,13 +61,14 @@ def tracking(components: Components) -> Result:
         space=space,
     )
     headline = training.validation_error("tracker")
+    fitter = fitter_of_model(components, described, training.ridge)
     return Result(
         described.data.name,
         metrics,
         rows=[*training.selection.rows, *tidy(metrics)],
         figure=_figure(space, take.x, first),
         recording=Recording(f"test take {take.name} by {take.performer}", record),
-        model=described.model(training.ridge, tracker),
+        model=described.model(training.ridge, tracker, fitter),
         headline=headline,
     )
 

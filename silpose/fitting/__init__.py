@@ -1,8 +1,28 @@
 """Fit the body to the contour of a mask, started and held by an estimated pose."""
 
 from silpose.fitting.body_fitter import BodyFitter
+from silpose.fitting.contour import contour_of
 from silpose.fitting.fit import Fit
-from silpose.fitting.likelihood import Matching
+from silpose.fitting.fitted_body import fitted_silhouettes, overlap_classes
+from silpose.fitting.matching import Matching
+from silpose.fitting.options import FittingOptions
+from silpose.fitting.overlap import overlap
 from silpose.fitting.prior import PosePrior
+from silpose.fitting.stream import TOLERATED, FitterStream
+from silpose.fitting.trace import Trace, trace_frame
 
-__all__ = ["BodyFitter", "Fit", "Matching", "PosePrior"]
+__all__ = [
+    "TOLERATED",
+    "BodyFitter",
+    "Fit",
+    "FitterStream",
+    "FittingOptions",
+    "Matching",
+    "PosePrior",
+    "Trace",
+    "contour_of",
+    "fitted_silhouettes",
+    "overlap",
+    "overlap_classes",
+    "trace_frame",
+]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -14,16 +15,20 @@ from silpose.core.types import Array, Mask
 from silpose.fitting.contour import contour_of
 from silpose.fitting.fit import Fit
 from silpose.fitting.geometry import geometry_of
-from silpose.fitting.likelihood import ANGLES, PARAMETERS, SHAPE, Matching
-from silpose.fitting.outline import View
+from silpose.fitting.matching import Matching
+from silpose.fitting.overlap import outline_error
+from silpose.fitting.parameters import ANGLES, PARAMETERS, SHAPE
 from silpose.fitting.prior import PosePrior
 from silpose.fitting.problem import KNOWN, Problem
+from silpose.fitting.view import View
 from silpose.silhouette import Body, Camera
 
 Knowledge = Literal["known", "estimated"]
 
-# Standard deviations of what is not known: image shift and log scale, elevation, shape.
-_SHIFT, _SCALE, _ELEVATION_DEG, _SHAPE = 0.05, 0.1, 5.0, 1.0
+# Standard deviations of what is not known: a frame's image shift and log scale, from where the
+# take's frames have them, as the person comes nearer; elevation and shape.
+_SHIFT, _SCALE, _ELEVATION_DEG, _SHAPE = 0.05, 0.03, 2.5, 0.7
+_BARE = 0.5  # pixels that the outline is off up to which masks are those of a bare body
 
 
 class BodyFitter:
@@ -43,8 +48,9 @@ class BodyFitter:
         Whether frames are fitted together, as a take in which poses follow each other.
     iterations : int, default=10
         Gauss-Newton steps of each frame and start.
-    matching : Matching
-        How contours are compared.
+    matching : Matching, optional
+        How contours are compared; if the shape is estimated and no shape explains the masks as
+        well as those of a bare body, with an allowance for clothes.
     """
 
     def __init__(
@@ -85,7 +91,8 @@ class BodyFitter:
             Consecutive frames of one person, all of the camera's size; a blank one has nothing to
             fit to.
         start : array-like, shape (F, 55)
-            Estimated poses, around which the prior is; NaN where there is none.
+            Estimated poses, around which the prior is; NaN where there is none: then the first of
+            the others takes its place.
         others : array-like, shape (F, S, 55), optional
             Further poses to start from, such as the modes of a mixture; NaN is none. The more
             probable end of all starts counts, and over a take the path of such ends.
@@ -116,14 +123,22 @@ class BodyFitter:
             raise InputError("no frame has both a person and an estimated pose to start from")
         problem = Problem(
             geometry_of(self.body), self.view, self.matching, self.prior, self._free, starts,
-            places, contours, np.flatnonzero(seen), self.iterations,
+            places, masks, contours, np.flatnonzero(seen), self.iterations,
         )  # fmt: skip
         if self.camera_is == "estimated":
             problem = problem.with_aligned_starts()
-        parameters, covariance = problem.frame_by_frame(1 / frames_per_second)
+        fit = self._solve(problem, 1 / frames_per_second)
+        if self.shape_is == "estimated" and _outline_error(problem, fit) > _BARE:
+            problem = replace(problem, matching=self.matching.clothed())
+            fit = self._solve(problem, 1 / frames_per_second)
+        return fit
+
+    def _solve(self, problem: Problem, step_seconds: float) -> Fit:
+        modes = problem.modes()
+        parameters, covariance = problem.path_through(modes, step_seconds)
         if self.whole_take:
-            parameters, covariance = problem.together(parameters, 1 / frames_per_second)
-        return problem.fit_of(parameters, covariance, masks)
+            parameters, covariance = problem.together(parameters, step_seconds)
+        return problem.fit_of(parameters, covariance, modes)
 
     @property
     def view(self) -> View:
@@ -149,11 +164,21 @@ class BodyFitter:
         return free
 
 
+def _outline_error(problem: Problem, fit: Fit) -> float:
+    """Pixels by which the outline is off in the median frame."""
+    errors = [
+        outline_error(fit.iou[f], problem.masks[f], problem.contours[f]) for f in problem.frames
+    ]
+    return float(np.median(errors))
+
+
 def _parameters_of(start: ArrayLike, others: ArrayLike | None, free: int) -> Array:
     """Parameters (F, 1 + S, 54 + free) of poses."""
     poses = np.asarray(start, dtype=float)[:, None]
     if others is not None:
         poses = np.concatenate([poses, np.asarray(others, dtype=float)], axis=1)
+        without = ~np.isfinite(poses[:, 0, 0])
+        poses[without, 0] = poses[without, 1]
     parameters = np.zeros((*poses.shape[:2], ANGLES + free))
     parameters[..., :ANGLES] = np.deg2rad(SPACE.angles(poses))
     return parameters

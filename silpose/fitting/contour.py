@@ -9,7 +9,7 @@ import numpy as np
 
 from silpose.core.types import Array, Mask
 
-SPACING = 2  # pixels along the contour between points
+SPACING = 3  # pixels along the contour between points
 _SPAN = 3  # pixels to either side from which a tangent is taken
 _SHORTEST = 12  # pixels: shorter contours are specks
 _BORDER = 2  # pixels from the image's border within which a contour may be the border's

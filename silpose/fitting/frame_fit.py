@@ -8,10 +8,11 @@ from numba import njit
 from silpose.core.types import Array
 from silpose.fitting.contour import Contour
 from silpose.fitting.geometry import Geometry
-from silpose.fitting.likelihood import ANGLES, Matching, add_evidence, misfit_of
-from silpose.fitting.outline import View
-
-_LONGEST = np.deg2rad(15.0)  # of a step, in every angle
+from silpose.fitting.likelihood import add_evidence, misfit_of
+from silpose.fitting.limits import add_limits
+from silpose.fitting.matching import Matching
+from silpose.fitting.parameters import CONVERGED, difference, take_step
+from silpose.fitting.view import View
 
 
 @njit(cache=True, nogil=True)
@@ -39,6 +40,7 @@ def fit_frame(
     contour, geometry, view, matching
         As for `likelihood.add_evidence`.
     iterations : int
+        At most.
 
     Returns
     -------
@@ -54,19 +56,11 @@ def fit_frame(
         hessian = precision.copy()
         gradient = precision @ difference(mean, parameters)
         add_evidence(parameters, root, contour, geometry, view, matching, hessian, gradient)
-        step = np.linalg.solve(hessian, gradient)
-        for d in range(len(parameters)):
-            bound = _LONGEST if d < ANGLES else np.inf
-            parameters[d] += min(bound, max(-bound, step[d]))
+        add_limits(parameters, hessian, gradient)
+        step = np.linalg.solve(hessian, gradient).astype(np.float64)
+        if take_step(parameters, step) < CONVERGED:
+            break
     off = difference(mean, parameters)
     cost = misfit_of(parameters, root, contour, geometry, view, matching)
-    return parameters, hessian, cost + float(off @ (precision @ off))
-
-
-@njit(cache=True)
-def difference(one: Array, other: Array) -> Array:
-    """Parameters minus other parameters, angles wrapped to half a turn."""
-    off = one - other
-    for d in range(ANGLES):
-        off[d] -= 2 * np.pi * np.round(off[d] / (2 * np.pi))
-    return off
+    cost += add_limits(parameters, np.zeros_like(hessian), np.zeros_like(off))
+    return parameters, hessian, cost + (off * (precision @ off)).sum()

@@ -40,27 +40,38 @@ def pose_tree(angles: Array, geometry: Geometry) -> tuple[Array, Array, Array]:
     rotations = np.empty((count, 3, 3))
     positions = np.zeros((count, 3))
     axes = np.zeros((count, 3, 3))
-    local, local_axes = np.empty((18, 3, 3)), np.empty((18, 3, 3))
+    local, local_axes = np.empty((18, 3, 3)), np.zeros((18, 3, 3))
+    first, second = np.empty((3, 3)), np.empty((3, 3))
     for j in range(18):
-        first = _about(geometry.orders[j, 0], angles[3 * j])
-        two = first @ _about(geometry.orders[j, 1], angles[3 * j + 1])
-        local[j] = two @ _about(geometry.orders[j, 2], angles[3 * j + 2])
-        for row in range(3):  # columns are the axes
-            local_axes[j, row, 0] = 1.0 if row == geometry.orders[j, 0] else 0.0
-            local_axes[j, row, 1] = first[row, geometry.orders[j, 1]]
-            local_axes[j, row, 2] = two[row, geometry.orders[j, 2]]
+        one, two, three = geometry.orders[j, 0], geometry.orders[j, 1], geometry.orders[j, 2]
+        _turn(np.eye(3), one, angles[3 * j], first)
+        _turn(first, two, angles[3 * j + 1], second)
+        _turn(second, three, angles[3 * j + 2], local[j])
+        local_axes[j, one, 0] = 1.0  # columns are the axes
+        for row in range(3):
+            local_axes[j, row, 1] = first[row, two]
+            local_axes[j, row, 2] = second[row, three]
     _share_chest(local, local_axes)
     for node in range(count):
         parent, joint = parents[node], joints[node]
         above = np.eye(3)
         if parent >= 0:
-            above = rotations[parent].copy()
-            positions[node] = positions[parent] + above @ geometry.offsets[node]
-        if joint < 0:
-            rotations[node] = above
-        else:
-            rotations[node] = above @ local[joint]
-            axes[node] = (above @ local_axes[joint]).T
+            above = rotations[parent]
+            for row in range(3):
+                positions[node, row] = positions[parent, row]
+                for c in range(3):
+                    positions[node, row] += above[row, c] * geometry.offsets[node, c]
+        for row in range(3):
+            for column in range(3):
+                if joint < 0:
+                    rotations[node, row, column] = above[row, column]
+                    continue
+                turned, along = 0.0, 0.0
+                for c in range(3):
+                    turned += above[row, c] * local[joint, c, column]
+                    along += above[row, c] * local_axes[joint, c, column]
+                rotations[node, row, column] = turned
+                axes[node, column, row] = along
     return rotations, positions, axes
 
 
@@ -78,13 +89,14 @@ def _share_chest(local: Array, axes: Array) -> None:
 
 
 @njit(cache=True)
-def _about(axis: int, angle: float) -> Array:
-    rotation = np.eye(3)
+def _turn(rotation: Array, axis: int, angle: float, turned: Array) -> None:
+    """Write a rotation times one about an axis."""
     one, two = (axis + 1) % 3, (axis + 2) % 3
-    rotation[one, one] = rotation[two, two] = cos(angle)
-    rotation[two, one] = sin(angle)
-    rotation[one, two] = -sin(angle)
-    return rotation
+    cosine, sine = cos(angle), sin(angle)
+    for row in range(3):
+        turned[row, axis] = rotation[row, axis]
+        turned[row, one] = cosine * rotation[row, one] + sine * rotation[row, two]
+        turned[row, two] = cosine * rotation[row, two] - sine * rotation[row, one]
 
 
 @njit(cache=True)

@@ -6,7 +6,7 @@ taken along the polygons' edges where a step outwards leaves the union.
 
 from __future__ import annotations
 
-from math import exp, sqrt
+from math import cos, exp, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -14,40 +14,12 @@ from numba import njit
 
 from silpose.core.types import Array, Indices
 from silpose.fitting.geometry import Geometry
+from silpose.fitting.view import View
 
-SPACING = 2.0  # pixels between points of the outline
-_MOST = 3000  # points of an outline
-_OUTSIDE = 1.2  # pixels of the step outwards
+SPACING = 3.0  # pixels between points of the outline
+_MOST = 1000  # points of an outline
+_OUTSIDE = 1.7  # pixels of the step outwards
 _NEAREST = 1e-3  # metres before the camera
-
-
-class View(NamedTuple):
-    """A pinhole camera that looks at a place, and what of it a fit may change.
-
-    Attributes
-    ----------
-    focal : float
-        Pixels.
-    elevation : float
-        Radians by which it looks down.
-    distance : float
-        Metres.
-    centre_x, centre_y : float
-        Pixels.
-    shift_x, shift_y : float
-        Pixels by which the image is moved.
-    log_scale : float
-        Logarithm of the factor by which the image is scaled about its centre.
-    """
-
-    focal: float
-    elevation: float
-    distance: float
-    centre_x: float
-    centre_y: float
-    shift_x: float = 0.0
-    shift_y: float = 0.0
-    log_scale: float = 0.0
 
 
 class Outline(NamedTuple):
@@ -96,76 +68,86 @@ def outline_of(
     outline : Outline
     """
     links, most = geometry.points.shape[0], geometry.points.shape[1]
-    world = np.empty((links, most, 3))
-    flat = np.empty((links, most, 2))
-    hulls, sizes = np.empty((links, 2 * most + 2), np.int64), np.empty(links, np.int64)
-    boxes = np.empty((links, 4))
+    flat, hull = np.empty((most, 2)), np.empty(2 * most + 2, np.int64)
+    hulls, sizes = np.empty((links, most), np.int64), np.empty(links, np.int64)
+    corners, boxes = np.empty((links, most + 1, 2)), np.empty((links, 4))
     for link in range(links):
-        _project_link(link, rotations, positions, root, geometry, view, world, flat)
-        own = flat[link, : geometry.counts[link]]
-        sizes[link] = _convex_hull(own, hulls[link])
-        boxes[link, 0], boxes[link, 1] = own[:, 0].min(), own[:, 0].max()
-        boxes[link, 2], boxes[link, 3] = own[:, 1].min(), own[:, 1].max()
+        node, own = geometry.nodes[link], geometry.counts[link]
+        _project(geometry.points[link], own, rotations[node], positions[node] + root, view, flat)
+        size = _convex_hull(flat[:own], hull)
+        hulls[link, :size], sizes[link] = hull[:size], size
+        _close(flat, hull, size, corners[link], boxes[link])
     pixels, normals = np.empty((_MOST, 2)), np.empty((_MOST, 2))
     where, share = np.empty((_MOST, 3), np.int64), np.empty(_MOST)
     points = np.empty((_MOST, 3))
-    count = 0
+    count, cover = 0, 0
     for link in range(links):
+        left = SPACING / 2  # pixels along the polygon to the next point
         for edge in range(sizes[link]):
-            a, b = hulls[link, edge], hulls[link, (edge + 1) % sizes[link]]
-            dx, dy = flat[link, b, 0] - flat[link, a, 0], flat[link, b, 1] - flat[link, a, 1]
+            ax, ay = corners[link, edge, 0], corners[link, edge, 1]
+            dx, dy = corners[link, edge + 1, 0] - ax, corners[link, edge + 1, 1] - ay
             length = sqrt(dx * dx + dy * dy)
-            if length < 1e-9:
-                continue
-            nx, ny = dy / length, -dx / length
-            pieces = max(1, int(length / SPACING + 0.5))
-            for piece in range(pieces):
-                t = (piece + 0.5) / pieces
-                x, y = flat[link, a, 0] + t * dx, flat[link, a, 1] + t * dy
-                if count == _MOST or _covered(
-                    x + _OUTSIDE * nx, y + _OUTSIDE * ny, link, flat, hulls, sizes, boxes
-                ):
+            while left < length:
+                t, nx, ny = left / length, dy / length, -dx / length
+                x, y = ax + t * dx, ay + t * dy
+                left += SPACING
+                found = _cover(
+                    x + _OUTSIDE * nx, y + _OUTSIDE * ny, link, cover, corners, sizes, boxes
+                )
+                if found >= 0:
+                    cover = found
                     continue
+                if count == _MOST:
+                    break
+                one, two = hulls[link, edge], hulls[link, (edge + 1) % sizes[link]]
                 pixels[count, 0], pixels[count, 1] = x, y
                 normals[count, 0], normals[count, 1] = nx, ny
-                where[count, 0], where[count, 1], where[count, 2] = link, a, b
+                where[count, 0], where[count, 1], where[count, 2] = link, one, two
                 share[count] = t
-                points[count] = (1 - t) * world[link, a] + t * world[link, b]
+                node = geometry.nodes[link]
+                _mix(
+                    geometry.points[link], one, two, t, rotations[node], positions[node],
+                    points[count],
+                )  # fmt: skip
                 count += 1
+            left -= length
     return Outline(
         pixels[:count], normals[:count], where[:count, 0], where[:count, 1], where[:count, 2],
         share[:count], points[:count],
     )  # fmt: skip
 
 
+# Inner loops get plain arrays: tuples of arrays passed to a function cost more than its work.
+
+
 @njit(cache=True)
-def _project_link(
-    link: int,
-    rotations: Array,
-    positions: Array,
-    root: Array,
-    geometry: Geometry,
-    view: View,
-    world: Array,
-    flat: Array,
+def _mix(
+    points: Array, one: int, two: int, share: float, rotation: Array, place: Array, mixed: Array
 ) -> None:
-    node = geometry.nodes[link]
-    turn, place = rotations[node], positions[node]
-    sine, cosine = np.sin(view.elevation), np.cos(view.elevation)
+    """Write where a mixture of two of a link's points is in the world."""
+    for row in range(3):
+        mixed[row] = place[row]
+        for c in range(3):
+            between = (1 - share) * points[one, c] + share * points[two, c]
+            mixed[row] += rotation[row, c] * between
+
+
+@njit(cache=True)
+def _project(
+    points: Array, count: int, rotation: Array, place: Array, view: View, flat: Array
+) -> None:
+    """Write where a link's points are in the image; its place is relative to the view's."""
+    sine, cosine = sin(view.elevation), cos(view.elevation)
     scale = exp(view.log_scale) * view.focal
-    for k in range(geometry.counts[link]):
-        point = geometry.points[link, k]
-        for row in range(3):
-            world[link, k, row] = (
-                turn[row, 0] * point[0] + turn[row, 1] * point[1] + turn[row, 2] * point[2]
-                + place[row]
-            )  # fmt: skip
-        x = world[link, k, 0] + root[0]
-        y = world[link, k, 1] + root[1]
-        z = world[link, k, 2] + root[2]
-        depth = max(view.distance - sine * y - cosine * z, _NEAREST)
-        flat[link, k, 0] = scale * x / depth + view.centre_x + view.shift_x
-        flat[link, k, 1] = scale * (sine * z - cosine * y) / depth + view.centre_y + view.shift_y
+    across, down = view.centre_x + view.shift_x, view.centre_y + view.shift_y
+    for k in range(count):
+        px, py, pz = points[k, 0], points[k, 1], points[k, 2]
+        x = place[0] + rotation[0, 0] * px + rotation[0, 1] * py + rotation[0, 2] * pz
+        y = place[1] + rotation[1, 0] * px + rotation[1, 1] * py + rotation[1, 2] * pz
+        z = place[2] + rotation[2, 0] * px + rotation[2, 1] * py + rotation[2, 2] * pz
+        unit = scale / max(view.distance - sine * y - cosine * z, _NEAREST)
+        flat[k, 0] = unit * x + across
+        flat[k, 1] = unit * (sine * z - cosine * y) + down
 
 
 @njit(cache=True)
@@ -173,35 +155,41 @@ def _convex_hull(points: Array, hull: Indices) -> int:
     """Andrew's monotone chain: writes the hull's corners in order, returns their number."""
     order = np.argsort(points[:, 0])
     count = len(order)
-    size = 0
-    for a in order:
-        while size >= 2 and _turn(points, hull[size - 2], hull[size - 1], a) <= 1e-12:
+    size, lower = 0, 2
+    for i in range(2 * count - 1):  # to the right along one side, and back along the other
+        if i == count:
+            lower = size + 1
+        k = order[i if i < count else 2 * count - 2 - i]
+        x, y = points[k, 0], points[k, 1]
+        while size >= lower:
+            ax, ay = points[hull[size - 2], 0], points[hull[size - 2], 1]
+            bx, by = points[hull[size - 1], 0], points[hull[size - 1], 1]
+            if (bx - ax) * (y - ay) - (by - ay) * (x - ax) > 1e-12:
+                break
             size -= 1
-        hull[size] = a
-        size += 1
-    lower = size + 1
-    for i in range(count - 2, -1, -1):
-        a = order[i]
-        while size >= lower and _turn(points, hull[size - 2], hull[size - 1], a) <= 1e-12:
-            size -= 1
-        hull[size] = a
+        hull[size] = k
         size += 1
     return max(size - 1, 1)
 
 
 @njit(cache=True)
-def _turn(points: Array, a: int, b: int, c: int) -> float:
-    return (points[b, 0] - points[a, 0]) * (points[c, 1] - points[a, 1]) - (
-        points[b, 1] - points[a, 1]
-    ) * (points[c, 0] - points[a, 0])
+def _close(flat: Array, hull: Indices, size: int, corners: Array, box: Array) -> None:
+    """Write a hull's corners, the first again at the end, and its bounding box."""
+    box[0], box[1], box[2], box[3] = np.inf, -np.inf, np.inf, -np.inf
+    for k in range(size + 1):
+        x, y = flat[hull[k % size], 0], flat[hull[k % size], 1]
+        corners[k, 0], corners[k, 1] = x, y
+        box[0], box[1] = min(box[0], x), max(box[1], x)
+        box[2], box[3] = min(box[2], y), max(box[3], y)
 
 
 @njit(cache=True)
-def _covered(
-    x: float, y: float, own: int, flat: Array, hulls: Indices, sizes: Indices, boxes: Array
-) -> bool:
-    """Whether another link covers a place in the image."""
-    for link in range(len(flat)):
+def _cover(
+    x: float, y: float, own: int, likely: int, corners: Array, sizes: Indices, boxes: Array
+) -> int:
+    """Find another link that covers a place in the image, or -1; the likely one is tried first."""
+    for k in range(-1, len(sizes)):
+        link = likely if k < 0 else k
         if (
             link == own
             or x < boxes[link, 0]
@@ -212,11 +200,11 @@ def _covered(
             continue
         inside = True
         for edge in range(sizes[link]):
-            a, b = hulls[link, edge], hulls[link, (edge + 1) % sizes[link]]
-            ax, ay = flat[link, a, 0], flat[link, a, 1]
-            if (flat[link, b, 0] - ax) * (y - ay) - (flat[link, b, 1] - ay) * (x - ax) < 0:
+            ax, ay = corners[link, edge, 0], corners[link, edge, 1]
+            bx, by = corners[link, edge + 1, 0], corners[link, edge + 1, 1]
+            if (bx - ax) * (y - ay) - (by - ay) * (x - ax) < 0:
                 inside = False
                 break
         if inside:
-            return True
-    return False
+            return link
+    return -1

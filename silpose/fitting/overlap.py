@@ -7,11 +7,11 @@ from math import exp
 import numpy as np
 
 from silpose.core.types import Array, Mask
-from silpose.fitting.contour import Contour
+from silpose.fitting.contour import SPACING, Contour
 from silpose.fitting.geometry import Geometry, with_shape
 from silpose.fitting.kinematics import pose_tree
-from silpose.fitting.likelihood import ANGLES, ELEVATION, LOG_SCALE, SHAPE, SHIFT_X, SHIFT_Y
-from silpose.fitting.outline import View
+from silpose.fitting.parameters import ANGLES, ELEVATION, LOG_SCALE, SHAPE, SHIFT_X, SHIFT_Y
+from silpose.fitting.view import View
 from silpose.silhouette import fill_pieces
 
 
@@ -75,3 +75,8 @@ def overlap(one: Mask, other: Mask) -> float:
     first, second = one != 0, other != 0
     union = np.count_nonzero(first | second)
     return np.count_nonzero(first & second) / union if union else 0.0
+
+
+def outline_error(iou: float, mask: Mask, contour: Contour) -> float:
+    """Pixels by which an outline is off along a mask's contour, from their overlap."""
+    return (1 - iou) * np.count_nonzero(mask) / (SPACING * len(contour.pixels))

@@ -14,6 +14,7 @@ from silpose.core.types import Array
 
 _LEAST_DEG = 0.7  # standard deviation that no combination of angles goes below
 _CHANGE_DEG = 1.5  # likewise of a change from frame to frame
+_RATE = 12.0  # radians per second at which motion that comes and goes changes its velocity
 _WRONG_DEG = 60.0  # heading error from which a frame tells nothing of how good estimates err
 
 
@@ -92,6 +93,12 @@ class PosePrior:
     def change_within(self, seconds: float) -> Array:
         """Covariance of a pose's change within some seconds, radians², shape (54, 54)."""
         degrees = self.change * seconds**2 + _CHANGE_DEG**2 * np.eye(54)
+        return np.deg2rad(np.deg2rad(degrees))
+
+    def bend_within(self, seconds: float) -> Array:
+        """Covariance of the change of such changes, radians², shape (54, 54)."""
+        degrees = self.change * seconds**2 * min(3.0, (_RATE * seconds) ** 2)
+        degrees += 2 * _CHANGE_DEG**2 * np.eye(54)
         return np.deg2rad(np.deg2rad(degrees))
 
     @property

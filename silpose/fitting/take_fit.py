@@ -5,7 +5,7 @@ With u_t the error of the estimate at frame t, b its lasting part and φ = exp(-
     u_0 - b ~ N(0, (1 - ρ) S),   u_t - b ~ N(φ (u_{t-1} - b), (1 - φ²) (1 - ρ) S),   b ~ N(0, ρ S),
 
 so that the normal equations of all frames are block-tridiagonal in u, with a border: b, the
-image's scale, the camera's elevation and the body's shape.
+camera's elevation and the body's shape.
 """
 
 from __future__ import annotations
@@ -16,45 +16,18 @@ from functools import partial
 import numpy as np
 
 from silpose.core.parallel import parallel_map
-from silpose.core.types import Array, Indices
+from silpose.core.types import Array
 from silpose.fitting.contour import Contour
-from silpose.fitting.frame_fit import difference
 from silpose.fitting.geometry import Geometry
-from silpose.fitting.likelihood import ANGLES, LOG_SCALE, Matching, add_evidence
-from silpose.fitting.outline import View
+from silpose.fitting.likelihood import add_evidence
+from silpose.fitting.limits import add_limits
+from silpose.fitting.matching import Matching
+from silpose.fitting.parameters import ANGLES, CONVERGED, ELEVATION, difference, take_step
 from silpose.fitting.prior import PosePrior
+from silpose.fitting.view import View
 
-_LONGEST = np.deg2rad(15.0)  # of a step, in every angle
-
-
-def most_likely_path(modes: Sequence[Array], costs: Sequence[Array], covariance: Array) -> Indices:
-    """Choose one of each frame's modes by Viterbi's algorithm.
-
-    Parameters
-    ----------
-    modes : sequence of ndarray, each (k, P)
-        Parameters, by frame.
-    costs : sequence of ndarray, each (k,)
-        Minus twice their log posterior densities.
-    covariance : ndarray, shape (54, 54)
-        Of the change of angles from a frame to the next, radians².
-
-    Returns
-    -------
-    path : ndarray of int, shape (F,)
-    """
-    precision = np.linalg.inv(covariance)
-    total, came_from = np.asarray(costs[0]), []
-    for before, now, own in zip(modes[:-1], modes[1:], costs[1:], strict=True):
-        change = now[None, :, :ANGLES] - before[:, None, :ANGLES]
-        change -= 2 * np.pi * np.round(change / (2 * np.pi))
-        through = total[:, None] + np.einsum("ijd,de,ije->ij", change, precision, change)
-        came_from.append(through.argmin(axis=0))
-        total = through.min(axis=0) + own
-    path = [int(np.argmin(total))]
-    for best in reversed(came_from):
-        path.append(int(best[path[-1]]))
-    return np.array(path[::-1])
+_NEWS = 0.3
+"""Share of a frame's evidence that counts for the covariance: the rest errs as frames before."""
 
 
 def fit_take(
@@ -94,12 +67,12 @@ def fit_take(
     -------
     parameters : ndarray, shape (F, P)
     covariances : ndarray, shape (F, 54, 54)
-        Of the angles, radians²: the posterior's, shared parameters at their best.
+        Of the angles, radians². Contours of following frames err alike, which moves the poses
+        little, but makes them less certain than their number says.
     """
-    frames = len(parameters)
+    frames, parameters = len(parameters), parameters.copy()
     evidence = partial(_evidence, geometry=geometry, view=view, matching=matching)
     chain = _Chain(prior, step_seconds, frames, free_precision)
-    covariances = np.empty((frames, ANGLES, ANGLES))
     for _ in range(iterations):
         parts = parallel_map(
             evidence, list(zip(parameters, roots, contours, strict=True)), prefer="threads"
@@ -107,11 +80,11 @@ def fit_take(
         hessians = np.stack([hessian for hessian, _ in parts])
         gradients = np.stack([gradient for _, gradient in parts])
         errors = np.stack([difference(p, m) for p, m in zip(parameters, mean, strict=True)])
-        new, covariances = chain.solve(hessians, gradients, errors)
-        steps = new - errors
-        steps[:, :ANGLES] = np.clip(steps[:, :ANGLES], -_LONGEST, _LONGEST)
-        parameters = parameters + steps
-    return parameters, covariances
+        new, _ = chain.solve(hessians, gradients, errors)
+        shares = [take_step(p, step) for p, step in zip(parameters, new - errors, strict=True)]
+        if max(shares) < CONVERGED:
+            break
+    return parameters, chain.solve(_NEWS * hessians, _NEWS * gradients, errors)[1]
 
 
 def _evidence(
@@ -122,19 +95,20 @@ def _evidence(
     hessian, gradient = np.zeros((size, size)), np.zeros(size)
     if len(contour.pixels):
         add_evidence(parameters, root, contour, geometry, view, matching, hessian, gradient)
+        add_limits(parameters, hessian, gradient)
     return hessian, gradient
 
 
 class _Chain:
     """Prior of a take, and the solution of its bordered block-tridiagonal normal equations.
 
-    The border holds the lasting error b (54) and the shared parameters (12).
+    The border holds the lasting error b (54) and the shared parameters (11).
     """
 
     def __init__(
         self, prior: PosePrior, step_seconds: float, frames: int, free_precision: Array
     ) -> None:
-        self.width = min(ANGLES + len(free_precision), LOG_SCALE)  # parameters of a frame's own
+        self.width = min(ANGLES + len(free_precision), ELEVATION)  # parameters of a frame's own
         shared = ANGLES + len(free_precision) - self.width
         phi = np.exp(-step_seconds / prior.seconds)
         own, border = np.zeros((self.width, self.width)), np.zeros((self.width, ANGLES + shared))
@@ -206,8 +180,8 @@ class _Chain:
         target = np.concatenate([np.zeros(ANGLES), right[:, width:].sum(axis=0)])
         target -= np.einsum("tib,ti->b", border, own)
         shared = np.linalg.solve(reduced, target)
-        spread = np.einsum("tib,bc,tjc->tij", through, np.linalg.inv(reduced), through)
-        covariances = covariances + spread[:, :ANGLES, :ANGLES]
+        told = through[:, :ANGLES]
+        covariances = covariances + told @ np.linalg.inv(reduced) @ np.swapaxes(told, 1, 2)
         new = np.empty_like(errors)
         new[:, :width] = own - through @ shared
         new[:, width:] = shared[ANGLES:]

@@ -1,4 +1,4 @@
-"""`PoseModel`: fitted descriptor, regressor and tracker, from masks to poses."""
+"""`PoseModel`: fitted descriptor, regressor, tracker and fitter, from masks to poses."""
 
 from __future__ import annotations
 
@@ -13,9 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from silpose.core.errors import InputError
 from silpose.core.pose_space import PoseSpace
 from silpose.core.serialisation import State, prefixed
-from silpose.core.types import Array, Indices
-from silpose.descriptor import Description, ShapeContextHistogram
+from silpose.core.types import Array
+from silpose.descriptor import ShapeContextHistogram
+from silpose.fitting import Fit
+from silpose.model.described_masks import DescribedMasks
+from silpose.model.live_fitting import fitting_stream
 from silpose.model.model_file import write_model_file
+from silpose.model.pose_fitter import PoseFitter
 from silpose.model.poses import Poses, PredictionDetails
 from silpose.regression import Regressor
 from silpose.silhouette import MaskFiles, is_blank, visible
@@ -23,25 +27,8 @@ from silpose.tracking import Track, Tracker
 
 Masks = NDArray[Any] | Sequence[ArrayLike]
 
-
-@dataclass(frozen=True)
-class _DescribedMasks:
-    """Masks, which of them have a foreground, and the descriptions of these."""
-
-    masks: list[NDArray[Any]]
-    visible: Indices
-    descriptions: list[Description]
-
-    @property
-    def z(self) -> Array:
-        """Descriptors, shape (F, d); NaN for a blank mask."""
-        return self.spread(np.stack([description.z for description in self.descriptions]))
-
-    def spread(self, rows: Array) -> Array:
-        """Put a row of each visible mask (V, d) at its frame (F, d), and NaN elsewhere."""
-        spread = np.full((len(self.masks), rows.shape[1]), np.nan)
-        spread[self.visible] = rows
-        return spread
+PARTS = ("descriptor", "regressor", "tracker", "fitter")
+"""Parts of a model, by which its file names their arrays."""
 
 
 @dataclass
@@ -59,6 +46,8 @@ class PoseModel:
         Frame rate of the training takes.
     tracker : Tracker or None
         None for a model of single images.
+    fitter : PoseFitter or None
+        None for a model that was trained without.
 
     See Also
     --------
@@ -70,6 +59,7 @@ class PoseModel:
     space: PoseSpace
     frames_per_second: float
     tracker: Tracker | None = None
+    fitter: PoseFitter | None = None
 
     def fit(self, masks: Masks, x: ArrayLike) -> Self:
         """Fit the codebook and the regressor.
@@ -84,7 +74,14 @@ class PoseModel:
         self.regressor.fit(z, np.asarray(x))
         return self
 
-    def predict(self, masks: str | Path | Masks, blank: str = "error") -> Poses:
+    def predict(
+        self,
+        masks: str | Path | Masks,
+        blank: str = "error",
+        *,
+        fit: bool = False,
+        frames_per_second: float | None = None,
+    ) -> Poses:
         """Estimate the pose behind each mask.
 
         Parameters
@@ -92,6 +89,11 @@ class PoseModel:
         masks : array-like, shape (F, H, W), list of arrays (H, W), or path of a folder or video
         blank : {"error", "nan"}, default="error"
             Whether a mask without foreground is an error, or gives a row of NaN.
+        fit : bool, default=False
+            Whether to fit the body to the masks, which are consecutive frames then; the poses
+            have an overlap and a state.
+        frames_per_second : float, optional
+            Frame rate of the masks, for the fit; by default the model's.
 
         Returns
         -------
@@ -100,9 +102,28 @@ class PoseModel:
         Raises
         ------
         InputError
-            If a mask is blank, or if the model was trained on descriptors only.
+            If a mask is blank, or if the model was trained on descriptors only, or without a
+            fitter.
         """
-        return Poses(self.explain(masks, blank).x, self.space)
+        if not fit:
+            return Poses(self.explain(masks, blank).x, self.space)
+        self._fitter()  # before time is spent on masks
+        fitted = self.fit_body(self.explain(masks, blank), frames_per_second)
+        return Poses(fitted.x, self.space, fitted.iou, fitted.state)
+
+    def fit_body(self, details: PredictionDetails, frames_per_second: float | None = None) -> Fit:
+        """Fit the body to masks of consecutive frames, which `explain` has estimated poses for.
+
+        The poses of a tracker, if the model has one, are among the starts.
+        """
+        further = self.tracker.track(details.z).x[:, None] if self.tracker else None
+        return self._fitter().fit(
+            details.masks,
+            details.z,
+            details.x,
+            further=further,
+            frames_per_second=frames_per_second or self.frames_per_second,
+        )
 
     def explain(self, masks: str | Path | Masks, blank: str = "error") -> PredictionDetails:
         """Estimate poses as `predict` does, with all intermediate results."""
@@ -143,35 +164,59 @@ class PoseModel:
         described = self._describe(masks, blank="nan")
         return tracker.track(described.z, lag=lag, frames_per_second=frames_per_second)
 
-    def stream(self) -> Callable[[ArrayLike], tuple[Array, str]]:
+    def stream(self, *, fit: bool = False) -> Callable[[ArrayLike], tuple[Array, str]]:
         """Start tracking live.
+
+        Parameters
+        ----------
+        fit : bool, default=False
+            Whether to fit the body to each mask, from the tracker's pose if the model has a
+            tracker, and from the regressor's otherwise.
 
         Returns
         -------
         step : callable
             From the next mask (H, W), blank or not, to its pose (D,) and the track's state.
         """
-        running, descriptor = self._tracker().start(), self._descriptor()
-        nothing = np.full(len(descriptor.codebook_), np.nan)
+        if fit:
+            parts = self._fitter(), self._descriptor_of, self._live_estimate()
+            return fitting_stream(*parts, self.frames_per_second)
+        running = self._tracker().start()
+        return lambda mask: running.step(self._descriptor_of(mask))
 
-        def step(mask: ArrayLike) -> tuple[Array, str]:
-            return running.step(nothing if is_blank(mask) else descriptor.transform([mask])[0])
+    def _live_estimate(self) -> Callable[[Array], Array]:
+        """From a descriptor (d,), perhaps of NaN, to a pose (D,): tracked if the model can."""
+        if self.tracker is not None:
+            running = self.tracker.start()
+            return lambda z: running.step(z)[0]
+        nothing = np.full(len(self.space.columns), np.nan)
+        return lambda z: self.regressor.predict(z[None])[0] if np.isfinite(z).all() else nothing
 
-        return step
+    def _descriptor_of(self, mask: ArrayLike) -> Array:
+        """Descriptor (d,) of a mask, NaN if it is blank."""
+        descriptor = self._descriptor()
+        if is_blank(mask):
+            return np.full(len(descriptor.codebook_), np.nan)
+        return descriptor.transform([mask])[0]
 
-    def _describe(self, masks: str | Path | Masks, blank: str) -> _DescribedMasks:
+    def _describe(self, masks: str | Path | Masks, blank: str) -> DescribedMasks:
         """Describe the masks that have a foreground."""
         descriptor = self._descriptor()
         if isinstance(masks, str | Path):
             masks = MaskFiles(str(masks), blank).read()
         frames = [np.asarray(mask) for mask in masks]
         seen = visible(frames, blank)
-        return _DescribedMasks(frames, seen, descriptor.describe([frames[f] for f in seen]))
+        return DescribedMasks(frames, seen, descriptor.describe([frames[f] for f in seen]))
 
     def _tracker(self) -> Tracker:
         if self.tracker is None:
             raise InputError("this model has no tracker: train one with experiment=tracking")
         return self.tracker
+
+    def _fitter(self) -> PoseFitter:
+        if self.fitter is None:
+            raise InputError("this model has no fitter: train one with fitting.enabled=true")
+        return self.fitter
 
     def _descriptor(self) -> ShapeContextHistogram:
         if self.descriptor is None:
@@ -199,7 +244,7 @@ class PoseModel:
             "frames_per_second": self.frames_per_second,
         }
         state: State = {}
-        for part in ("descriptor", "regressor", "tracker"):
+        for part in PARTS:
             if (fitted := getattr(self, part)) is not None:
                 state |= prefixed(part, fitted.to_arrays())
         write_model_file(path, header, state)

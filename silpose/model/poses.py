@@ -24,10 +24,16 @@ class Poses:
         Pose vectors; NaN where nothing was seen.
     space : PoseSpace
         Meaning of their columns.
+    iou : ndarray, shape (F,), or None, default=None
+        Overlap of the fitted body's silhouette and the mask, where the body was fitted.
+    state : list of str, or None, default=None
+        State of each frame's fit, likewise.
     """
 
     x: Array
     space: PoseSpace
+    iou: Array | None = None
+    state: list[str] | None = None
 
     def __len__(self) -> int:
         return len(self.x)

@@ -15,6 +15,7 @@ from silpose.descriptor import ShapeContextHistogram
 from silpose.evaluation import baselines, measure
 from silpose.model.describe import describe, fit_descriptor
 from silpose.model.descriptor_cache import DescriptorCache
+from silpose.model.pose_fitter import PoseFitter
 from silpose.model.pose_model import PoseModel
 from silpose.regression import (
     Candidates,
@@ -151,11 +152,15 @@ class DescribedDataset:
         """Mean training pose, whole or of a body part, shape (D,)."""
         return np.concatenate([x for _, x in self.examples("train", part)]).mean(axis=0)
 
-    def model(self, regressor: Regressor, tracker: Tracker | None = None) -> PoseModel:
+    def model(
+        self,
+        regressor: Regressor,
+        tracker: Tracker | None = None,
+        fitter: PoseFitter | None = None,
+    ) -> PoseModel:
         """Combine the descriptor with what was fitted to its output."""
-        return PoseModel(
-            self.descriptor, regressor, self.data.space, self.frames_per_second, tracker
-        )
+        space, rate = self.data.space, self.frames_per_second
+        return PoseModel(self.descriptor, regressor, space, rate, tracker, fitter)
 
 
 @timed("descriptors")

@@ -16,6 +16,7 @@ from silpose.core.lazy_exports import lazy_exports
 
 if TYPE_CHECKING:
     from silpose.recording.codebook import codebook_picture
+    from silpose.recording.fitting import record_fitting
     from silpose.recording.ground_truth import GroundTruth
     from silpose.recording.header import Header
     from silpose.recording.hypotheses import record_hypotheses, record_modes
@@ -70,6 +71,7 @@ _RECORDERS = {
     "record_context_space": "study",
     "record_extinction": "tracking",
     "record_features": "study",
+    "record_fitting": "fitting",
     "record_hypotheses": "hypotheses",
     "record_modes": "hypotheses",
     "record_prediction": "single_image",
@@ -121,6 +123,7 @@ __all__ = [
     "record_context_space",
     "record_extinction",
     "record_features",
+    "record_fitting",
     "record_hypotheses",
     "record_modes",
     "record_prediction",

@@ -43,6 +43,24 @@ BELIEF = "/tracking/belief"
 STATE = "/tracking/state"
 KERNELS = "/tracking/kernels"  # one entity below it per tracker
 
+OVERLAP = "/fitting/overlap"  # mask and fitted body's silhouette as one image
+CONTOUR = "/fitting/overlap/contour"
+OUTLINE = "/fitting/overlap/outline"
+OUTLINE_BEFORE = "/fitting/overlap/outline_before"
+OVERLAP_SHARES = "/fitting/iou"  # one entity below it per method
+FITTED_SKELETON = "/fitting/skeleton"
+FITTED_BODY = "/fitting/body"  # one entity below it per rigid part
+FITTED_POSE = "/fitting/pose"
+FITTED_HEADING = "/fitting/heading"
+ITERATED_OVERLAP = "/fitting/iterations/overlap"  # on the timeline `iteration`, as all below
+ITERATED_CONTOUR = "/fitting/iterations/overlap/contour"
+ITERATED_OUTLINE = "/fitting/iterations/overlap/outline"
+ITERATED_OUTLINES = "/fitting/iterations/overlap/outlines"  # of all iterations
+ITERATED_COST = "/fitting/iterations/cost"
+ITERATED_IOU = "/fitting/iterations/iou"
+ITERATED_SKELETON = "/fitting/iterations/skeleton"
+ITERATED_TRUE_SKELETON = "/fitting/iterations/true_skeleton"
+
 ERROR = "/evaluation/error"  # one entity below it per method
 
 FIGURE = "/run/figure"

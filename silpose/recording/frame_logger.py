@@ -43,10 +43,13 @@ class FrameLogger:
         """Log one thing per frame; where it is None, the one before holds on."""
         for frame, what in enumerate(frames):
             if what is not None:
-                self._recording.set_time("frame", sequence=frame)
-                self._recording.set_time("time", duration=self._times[frame])
+                self._set_time(frame)
                 self._recording.log(entity, what)
         self._recording.reset_time()
+
+    def _set_time(self, frame: int) -> None:
+        self._recording.set_time("frame", sequence=frame)
+        self._recording.set_time("time", duration=self._times[frame])
 
     def columns(
         self,
@@ -187,3 +190,20 @@ class FrameLogger:
             rr.Points2D.from_fields(positions=places, colors=palette.NEUTRAL, radii=0.1),
         )
         self.columns(entity, rr.Points2D.columns(labels=labels), [len(places)] * self._frames)
+
+
+class IterationLogger(FrameLogger):
+    """Logs what belongs to the iterations of an optimisation, on a timeline of their own.
+
+    Parameters
+    ----------
+    recording : rerun.RecordingStream
+    iterations : int
+    """
+
+    def __init__(self, recording: rr.RecordingStream, iterations: int) -> None:
+        super().__init__(recording, iterations, 1.0)
+        self._index = [rr.TimeColumn("iteration", sequence=range(iterations))]
+
+    def _set_time(self, frame: int) -> None:
+        self._recording.set_time("iteration", sequence=frame)

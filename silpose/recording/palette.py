@@ -38,6 +38,12 @@ METHODS: Mapping[str, Colour] = {
     "tracker_lag": (255, 200, 150),
     "mixture_top1": (200, 120, 220),
     "hypotheses": ESTIMATED,
+    "fitted": (255, 200, 150),
+    "fitted_live": (225, 205, 90),
+    "fitted_take": ESTIMATED,
+    "fitted_take_estimated": (230, 110, 110),
+    "fitted_from_mean_pose": (110, 110, 120),
+    "fitted_from_tracker": (150, 210, 150),
 }
 
 STATES: Mapping[str, Colour] = {
@@ -45,6 +51,12 @@ STATES: Mapping[str, Colour] = {
     "tracking": (70, 150, 90),
     "lost": (220, 70, 60),
     "recovered": (225, 205, 90),
+}
+
+FIT_STATES: Mapping[str, Colour] = {
+    "fitted": (70, 150, 90),
+    "poor": (220, 70, 60),
+    "blank": (110, 110, 120),
 }
 
 

@@ -20,6 +20,7 @@ _MAGIC = b"RRF2"  # first bytes of a file of Rerun's, before its version
 _POSES = (
     (entity_paths.TRUE_POSE, "true"),
     (entity_paths.ESTIMATED_POSE, "estimated"),
+    (entity_paths.FITTED_POSE, "fitted"),
     (f"{entity_paths.TRACKS}/([^/]+)/pose", "{1}"),
     (f"{entity_paths.MODES}/([^/]+)/pose", "mode_{1}"),
     (f"{entity_paths.HYPOTHESES}/([^/]+)/pose", "hypothesis_{1}"),

@@ -90,7 +90,7 @@ def record_prediction(
     frames_per_second : float
         Rate of the masks.
     states : sequence of str, optional
-        States of the model's tracker, one per frame.
+        States of the model's tracker or of the fit, one per frame.
     """
     window = _window(details.masks) or (0.0, 1.0, 0.0, 1.0)
     layout = prediction_layout(frames_per_second, window, states is not None)
@@ -103,7 +103,9 @@ def record_prediction(
         root[:, 1] = -joints[..., 1].min(axis=1)  # the lowest point stands on the ground
         _log_estimate(logger, model.space, details.x, root)
         if states is not None:
-            logger.states(entity_paths.STATE, states, palette.STATES)
+            fitted = {*states} <= {*palette.FIT_STATES}
+            colours = palette.FIT_STATES if fitted else palette.STATES
+            logger.states(entity_paths.STATE, states, colours)
 
 
 def _window(masks: Sequence[Mask]) -> Window | None:

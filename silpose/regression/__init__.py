@@ -13,6 +13,7 @@ trackers and evaluation.
 """
 
 from silpose.regression.basis import Basis
+from silpose.regression.distinct_neighbours import DistinctNeighbours
 from silpose.regression.mixture import MODES, MixtureOfRegressors, normalised
 from silpose.regression.regressor import Regressor
 from silpose.regression.ridge import RidgeRegressor
@@ -46,6 +47,7 @@ __all__ = [
     "Candidates",
     "ChosenMixture",
     "ChosenRegressors",
+    "DistinctNeighbours",
     "Fold",
     "MixtureOfRegressors",
     "Outcome",

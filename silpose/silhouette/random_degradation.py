@@ -1,4 +1,4 @@
-"""Degradations whose kind and strength are drawn for every frame."""
+"""Degradations whose kind and strength are drawn for every frame, or once for a take."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Degrader = Callable[[Mask, int], Mask]
 
 
 class Degradation:
-    """Random degradation of masks, of a kind and strength drawn for every frame.
+    """Random degradation of masks, of a kind and strength drawn for every frame or take.
 
     Parameters
     ----------
@@ -32,6 +32,10 @@ class Degradation:
         0 to 1, or the lowest and highest to draw from.
     seed : int, default=0
         The same seed, take and frame give the same damage.
+    lasting : bool, default=False
+        Draw kind, strength and place once for each take, as of an occluder that stays where it is,
+        a bag that is carried, or a coat: the place is the same relative to the person's bounding
+        box. Otherwise every frame is damaged by itself.
 
     Raises
     ------
@@ -46,11 +50,13 @@ class Degradation:
         test: list[str] | None = None,
         strength: float | list[float] = 0.5,
         seed: int = 0,
+        lasting: bool = False,
     ) -> None:
         self.train = train or []
         self.test = test or []
         self.strength = strength
         self.seed = seed
+        self.lasting = lasting
         bounds = [strength] if isinstance(strength, int | float) else list(strength)
         if len(bounds) not in (1, 2) or not all(isinstance(b, int | float) for b in bounds):
             raise InputError(
@@ -79,7 +85,8 @@ class Degradation:
         return partial(self._degraded, kinds, take) if kinds else None
 
     def _degraded(self, kinds: Sequence[str], take: str, mask: Mask, frame: int) -> Mask:
-        rng = np.random.default_rng([self.seed, crc32(take.encode()), int(frame)])
+        drawn_for = [self.seed, crc32(take.encode())]
+        rng = np.random.default_rng(drawn_for if self.lasting else [*drawn_for, int(frame)])
         kind = kinds[int(rng.integers(len(kinds)))]
         strength = rng.uniform(self._low, self._high)
         return mask if kind == UNCHANGED else degrade(mask, kind, strength, rng)

@@ -58,7 +58,7 @@ class Tracker(ABC, BaseEstimator, Generic[Run]):
         z : array-like, shape (F, d)
             Descriptors; a row of NaN where there was nothing to see.
         initial : array-like, shape (P, D), optional
-            Poses of the first frames, if known beforehand.
+            Poses of the first frames, if known beforehand, for instance by fitting a body to them.
         lag : int, default=0
             Number of later frames that each estimate may wait for.
         frames_per_second : float, optional

@@ -27,6 +27,8 @@ FILES = {  # the choice that leads to each alternative
 OTHERS = {  # values of parameters that cannot have just any
     "descriptor.codebook_method": "random",
     "descriptor.normalisation": "mean",
+    "fitting.camera": "estimated",
+    "fitting.shape": "estimated",
     "motion.formats": ["npz"],
     "motion.joints": {"left_elbow": ["Ellbogen"]},
     "motion.performer": "(.)",

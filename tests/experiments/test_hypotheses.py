@@ -1,8 +1,11 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from small_components import TRACKING, with_regression, with_tracking
 
 import silpose
+from silpose.fitting import FittingOptions
 from silpose.regression import Candidates, MixtureOfRegressors
 from silpose.tracking import BeliefTracker, MultipleHypothesisTracker
 
@@ -13,6 +16,7 @@ def hypotheses(run, longer_walkers):
         longer_walkers,
         tracker=Candidates(BeliefTracker(pose_width=0.4, descriptor_width=1, damping=4)),
     )
+    components = replace(components, fitting=FittingOptions(enabled=True))
     return run("hypotheses", components, trials=3, blank_frames=10)
 
 
@@ -47,8 +51,10 @@ def test_the_figure_shades_the_blank_frames_and_marks_the_cut(hypotheses):
 def test_the_saved_model_tracks_from_a_blank_mask_on(hypotheses):
     masks = np.zeros((4, 96, 96), np.uint8)
     masks[1:, 20:80, 40:56] = 1
-    track = silpose.load(hypotheses.folder).track(masks)
+    model = silpose.load(hypotheses.folder)
+    track = model.track(masks)
     assert track.state[0] == "starting" and np.isfinite(track.x).all()
+    assert model.predict(masks, blank="nan", fit=True).state[0] == "blank"
 
 
 def test_on_the_authors_data_hypotheses_need_no_start(run, authors):

@@ -7,7 +7,8 @@ from small_components import REGRESSION
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
-from silpose.experiments.setup import prepare
+from silpose.experiments.setup import fitter_of_model, prepare
+from silpose.fitting import FittingOptions
 from silpose.model import load
 from silpose.silhouette import MaskFiles, read_masks
 from silpose.tracking import STATES, BeliefTracker
@@ -63,6 +64,44 @@ def test_a_model_that_tracks_gives_states_and_no_gap(run, own, described, model,
     rows = poses_of(run("predict", own, model=str(tmp_path), lag=0.2))
     assert {row["state"] for row in rows} <= set(STATES)
     assert all(np.isfinite(float(row["heading_deg"])) for row in rows)
+
+
+@pytest.fixture(scope="module")
+def fitting(own):
+    return replace(own, fitting=FittingOptions(enabled=True, iterations=5, starts=1))
+
+
+@pytest.fixture(scope="module")
+def fitter(fitting, described):
+    return fitter_of_model(fitting, described, described.choose_ridge(REGRESSION))
+
+
+def test_the_body_is_fitted_where_that_is_enabled(run, fitting, fitter, model, tmp_path):
+    replace(model, fitter=fitter).save(tmp_path / "model.npz")
+    predicted = run("predict", fitting, model=str(tmp_path))
+    rows = poses_of(predicted)
+    assert [row["state"] == "blank" for row in rows] == [k == 5 for k in range(12)]
+    overlaps = np.array([float(row["iou"]) for row in rows])
+    assert np.nanmin(overlaps) > 0.5 and np.isnan(overlaps[5])
+    assert "fitting" in predicted.seconds
+
+
+def test_a_fitter_is_trained_and_kept_where_no_model_is_given(run, fitting):
+    predicted = run("predict", fitting, show="rvm_20", record=False)
+    assert load(predicted.folder).fitter.usual_iou > 0.7
+    assert "iou" in poses_of(predicted)[0]
+
+
+def test_masks_that_no_body_explains_are_a_warning(run, fitting, fitter, model, tmp_path):
+    replace(model, fitter=replace(fitter, usual_iou=1.5)).save(tmp_path / "model.npz")
+    with pytest.warns(UserWarning, match=r"try fitting\.camera=estimated"):
+        run("predict", fitting, model=str(tmp_path), record=False)
+
+
+def test_a_model_without_a_fitter_is_refused(run, fitting, model, tmp_path):
+    model.save(tmp_path / "model.npz")
+    with pytest.raises(InputError, match=r"no fitter: train one with fitting\.enabled=true"):
+        run("predict", fitting, model=str(tmp_path))
 
 
 def test_masks_are_needed(run, walkers, mask_folder):

@@ -3,21 +3,26 @@ import subprocess
 import sys
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
 from silpose.dataset.take import Dataset
 from silpose.experiments import EXPERIMENTS
 from silpose.experiments.setup import (
+    fitter_of_model,
+    prepare,
+    prepare_fitting,
     prepare_tracking,
     renderer_of,
     tidy,
     want_masks,
 )
+from silpose.fitting import FittingOptions
 
 
 def test_experiments_are_functions_of_their_modules_name():
-    assert len(EXPERIMENTS) == 21
+    assert len(EXPERIMENTS) == 22
     for name, experiment in EXPERIMENTS.items():
         assert experiment.__name__ == name
         assert experiment.__module__ == f"silpose.experiments.{name}"
@@ -60,6 +65,26 @@ def test_masks_and_rendered_motion_are_demanded_by_name(walkers, authors):
         want_masks(authors.load().test, "some")
     with pytest.raises(InputError, match=r"some renders motion.*dataset=same_performer"):
         renderer_of(authors, "some")
+
+
+class WithoutMasks(Short):
+    """A dataset that holds descriptors only."""
+
+    def load(self, renderer):
+        data = self.dataset.load(renderer)
+        train = [replace(take, masks=None, z=np.zeros((len(take), 9))) for take in data.train]
+        return Dataset(data.name, data.space, train, data.validation, data.test)
+
+
+def test_a_fitter_is_trained_only_where_fitting_is_enabled(walkers):
+    described = prepare(walkers)
+    ridge = described.choose_ridge(walkers.regression)
+    assert fitter_of_model(walkers, described, ridge) is None
+    enabled = replace(walkers, fitting=FittingOptions(enabled=True, starts=3))
+    assert fitter_of_model(enabled, described, ridge).starts == 3
+    assert prepare_fitting(walkers, described, ridge).body is walkers.renderer.body
+    with pytest.raises(InputError, match=r"fitting\.enabled=true needs masks"):
+        prepare(replace(enabled, dataset=WithoutMasks(walkers.dataset)))
 
 
 def test_metrics_become_rows():

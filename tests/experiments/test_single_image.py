@@ -9,6 +9,7 @@ from small_components import with_regression
 import silpose
 from silpose.core.errors import InputError
 from silpose.evaluation import BASELINES
+from silpose.fitting import FittingOptions
 from silpose.model import DescriptorCache, training
 from silpose.regression import Basis, Candidates, RidgeRegressor
 from silpose.silhouette import MaskFiles
@@ -57,6 +58,15 @@ def test_the_model_shown_is_kept(single_image):
     model = silpose.load(single_image.folder)
     assert np.isfinite(model.predict([mask]).x).all()
     assert model.regressor.kept_ == single_image.metrics["rvm_20"]["kept"]
+
+
+def test_the_fitter_is_kept_where_fitting_is_enabled(run, walkers, single_image):
+    assert silpose.load(single_image.folder).fitter is None
+    enabled = replace(walkers, fitting=FittingOptions(enabled=True, starts=2))
+    fitted = run("single_image", enabled, record=False, methods=["rvm_20"], show="rvm_20")
+    fitter = silpose.load(fitted.folder).fitter
+    assert fitter.starts == 2 and fitter.usual_iou > 0.8
+    assert fitted.seconds["fitting"] > 0
 
 
 def test_the_headline_is_the_validation_error_of_the_method_shown(run, walkers):

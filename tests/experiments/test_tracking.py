@@ -1,9 +1,12 @@
+from dataclasses import replace
+
 import pytest
 from small_components import components_of, with_regression, with_tracking
 
 import silpose
 from silpose.dataset import SamePerformer
 from silpose.experiments.tracking import SHOWN
+from silpose.fitting import FittingOptions
 from silpose.motion import MotionFolder
 from silpose.regression import Basis, Candidates, RidgeRegressor
 from silpose.silhouette import Camera
@@ -12,7 +15,8 @@ from silpose.tracking import BeliefTracker
 
 @pytest.fixture(scope="module")
 def tracking(run, longer_walkers):
-    return run("tracking", longer_walkers)
+    enabled = replace(longer_walkers, fitting=FittingOptions(enabled=True))
+    return run("tracking", enabled)
 
 
 def test_trackers_stand_beside_their_baselines(tracking):
@@ -44,6 +48,14 @@ def test_the_saved_tracker_tracks_a_take_and_a_stream_alike(tracking, sequence):
     live = [step(mask) for mask in sequence.masks]
     assert [state for _, state in live] == track.state
     assert live[-1][0] == pytest.approx(track.x[-1])  # the last frame cannot wait
+
+
+def test_the_saved_model_fits_from_the_trackers_poses(tracking, sequence):
+    model = silpose.load(tracking.folder)
+    poses = model.predict(sequence.masks[:4], fit=True)
+    assert len(poses.iou) == 4
+    x, state = model.stream(fit=True)(sequence.masks[0])
+    assert x.shape == (55,) and state in ("starting", "tracking")
 
 
 def test_on_the_authors_data_the_trackers_reach_what_is_claimed(run, authors):

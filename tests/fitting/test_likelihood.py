@@ -4,8 +4,10 @@ import pytest
 from silpose.core.pose_space import ANGLES as SPACE
 from silpose.fitting.contour import contour_of
 from silpose.fitting.geometry import geometry_of
-from silpose.fitting.likelihood import PARAMETERS, Matching, add_evidence, misfit_of
+from silpose.fitting.likelihood import add_evidence, misfit_of
+from silpose.fitting.matching import Matching
 from silpose.fitting.overlap import projected_links
+from silpose.fitting.parameters import PARAMETERS
 
 
 def evidence(parameters, contour, geometry, view):

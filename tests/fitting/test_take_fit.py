@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from silpose.fitting.likelihood import ANGLES, LOG_SCALE
-from silpose.fitting.take_fit import _Chain, most_likely_path
+from silpose.fitting.parameters import ANGLES, ELEVATION
+from silpose.fitting.take_fit import _Chain
 
 
 def dense(chain, hessians, gradients, errors, prior, step_seconds, free):
@@ -47,26 +47,10 @@ def test_the_chain_is_the_dense_solution(prior, free):
     hessians = np.einsum("tki,tkj->tij", rows, rows)
     gradients = rng.normal(size=(5, size)) * 10
     errors = rng.normal(size=(5, size)) * 0.1
-    errors[:, min(size, LOG_SCALE) :] = errors[0, min(size, LOG_SCALE) :]
+    errors[:, min(size, ELEVATION) :] = errors[0, min(size, ELEVATION) :]
     precision = rng.uniform(1, 5, free)
     chain = _Chain(prior, 1 / 15, 5, precision)
     new, covariances = chain.solve(hessians, gradients, errors)
     wanted = dense(chain, hessians, gradients, errors, prior, 1 / 15, precision)
     assert new == pytest.approx(wanted[0], abs=1e-8)
     assert covariances == pytest.approx(wanted[1], abs=1e-8)
-
-
-def test_the_path_prefers_small_changes_to_slightly_better_ends():
-    still, far = np.zeros(54), np.full(54, 0.5)
-    modes = [np.stack([still, far])] * 3
-    costs = [np.array([0.0, 5.0]), np.array([1.0, 0.0]), np.array([0.0, 5.0])]
-    assert list(most_likely_path(modes, costs, 0.01 * np.eye(54))) == [0, 0, 0]
-    assert list(most_likely_path(modes, costs, 1e6 * np.eye(54))) == [0, 1, 0]
-
-
-def test_a_heading_may_wrap_along_the_path():
-    before, after, other = np.zeros(54), np.zeros(54), np.zeros(54)
-    before[0], after[0], other[0] = 3.1, -3.1, 2.0
-    modes = [before[None], np.stack([other, after])]
-    costs = [np.zeros(1), np.zeros(2)]
-    assert list(most_likely_path(modes, costs, 0.01 * np.eye(54))) == [0, 1]

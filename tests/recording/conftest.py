@@ -11,6 +11,7 @@ from rerun.chunk import RrdReader
 from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
 from silpose.descriptor.context_space import ContextSpace
+from silpose.fitting import Trace
 from silpose.recording import (
     GroundTruth,
     Header,
@@ -18,6 +19,7 @@ from silpose.recording import (
     record_context_space,
     record_extinction,
     record_features,
+    record_fitting,
     record_hypotheses,
     record_modes,
     record_study,
@@ -122,4 +124,14 @@ def recordings(finished, sequence, modes, states, header, tmp_path_factory):
     weights, means = modes
     many = Track(sequence.x, states, weights=weights, means=means)
     record_hypotheses(head("hypotheses"), sequence, truth, modes, many, ANGLES)
+
+    falling = np.array([30.0, 9.0, 4.0])
+    trace = Trace(masks[8], sequence.x[6:9], list(masks[6:9]), np.array([0.6, 0.8, 1.0]), falling)
+    fits = GroundTruth.of(sequence, Camera(), {"fitted_take": np.zeros(frames)}, ANGLES)
+    silhouettes = {"before": np.roll(masks, 3, axis=2), "after": masks}
+    shares = {"fitted_take": np.ones(frames)}
+    record_fitting(
+        *(head("fitting"), sequence, fits, sequence.x[::-1], sequence.x),
+        *(silhouettes, shares, trace, 8, ANGLES),
+    )
     return paths

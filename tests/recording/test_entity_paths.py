@@ -14,14 +14,16 @@ PER_SOMETHING = (
     entities.KERNELS,
     entities.MODES,
     entities.HYPOTHESES,
+    entities.OVERLAP_SHARES,
+    entities.FITTED_BODY,
 )
 ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
     entities.INFLUENTIAL_EXAMPLES,  # these two only hold others
     entities.CONTEXT_SPACE,
 }
 PACKAGES = (
-    *("motion", "silhouette", "dataset", "descriptor", "regression", "tracking", "evaluation"),
-    "run",
+    *("motion", "silhouette", "dataset", "descriptor", "regression", "tracking", "fitting"),
+    *("evaluation", "run"),
 )
 
 

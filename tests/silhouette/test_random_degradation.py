@@ -37,6 +37,30 @@ def test_strengths_are_drawn_from_their_range(sequence):
     assert low.max() < np.median(drawn) < high.min()
 
 
+def test_a_lasting_degradation_is_of_one_kind_and_strength(sequence):
+    settings = {"test": ["frame_cut", "none", "horizontal_occluder"], "strength": [0.2, 0.8]}
+    degradation = Degradation(lasting=True, **settings)
+    takes = [degraded(degradation, sequence, f"walk {k}") for k in range(8)]
+    unchanged = [
+        np.mean([np.array_equal(a, b) for a, b in zip(take, sequence.masks, strict=True)])
+        for take in takes
+    ]
+    assert set(unchanged) <= {0.0, 1.0}  # a take is damaged throughout, or not at all
+    assert 0 < sum(unchanged) < 8
+    np.testing.assert_array_equal(takes[0], degraded(degradation, sequence, "walk 0"))
+
+
+def test_a_lasting_occluder_stays_where_it_is(sequence):
+    def places(lasting):
+        degradation = Degradation(test=["horizontal_occluder"], strength=0.3, lasting=lasting)
+        masks = degraded(degradation, sequence, "walk")
+        hidden = (np.stack(sequence.masks) > masks).any(axis=2)
+        return np.array([rows.nonzero()[0].mean() / len(rows) for rows in hidden])
+
+    assert places(lasting=True).std() < 0.02
+    assert places(lasting=False).std() > 0.05
+
+
 @pytest.mark.parametrize(
     ("settings", "message"),
     [

@@ -9,6 +9,7 @@ from silpose.recording.layout.estimates import (
     prediction_layout,
     single_image_layout,
 )
+from silpose.recording.layout.fits import fitting_layout
 from silpose.recording.layout.studies import (
     bridges_layout,
     context_space_layout,
@@ -30,6 +31,7 @@ __all__ = [
     "context_space_layout",
     "extinction_layout",
     "features_layout",
+    "fitting_layout",
     "hide",
     "hypotheses_layout",
     "modes_layout",

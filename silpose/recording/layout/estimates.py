@@ -92,6 +92,7 @@ def comparison_layout(
     bodies = (
         entity_paths.TRUE_SKELETON,
         entity_paths.ESTIMATED_SKELETON,
+        entity_paths.FITTED_SKELETON,
         entity_paths.TRACK_NAMES,
         f"{entity_paths.TRACKS}/**",
     )

@@ -16,6 +16,7 @@ VIEWS = {
     "tracking": 8,
     "modes": 7,
     "hypotheses": 9,
+    "fitting": 10,
 }
 
 

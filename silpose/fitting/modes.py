@@ -1,0 +1,130 @@
+"""Modes of a frame's posterior: where several starts lead, and which of them follow each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from silpose.core.skeleton import EULER_ORDERS, JOINTS, other_side
+from silpose.core.types import Array, Indices
+from silpose.fitting.parameters import ANGLES
+
+_ALIKE = np.deg2rad(1.0)  # mean difference of the angles of ends that are one mode
+_LEGS = [j for j, name in enumerate(JOINTS) if name.endswith(("hip", "knee", "ankle"))]
+
+
+class Modes(NamedTuple):
+    """Modes of a frame's posterior, the most probable first.
+
+    Attributes
+    ----------
+    parameters : ndarray, shape (k, P)
+    hessians : ndarray, shape (k, P, P)
+        Inverses of their covariances.
+    costs : ndarray, shape (k,)
+        Minus twice their log posterior densities, up to a constant.
+    """
+
+    parameters: Array
+    hessians: Array
+    costs: Array
+
+
+def legs_swapped(parameters: Array) -> Array:
+    """Let each leg do what the other does, mirrored.
+
+    From the side, both explain a silhouette about as well; which is which shows over time.
+
+    Parameters
+    ----------
+    parameters : ndarray, shape (P,)
+
+    Returns
+    -------
+    parameters : ndarray, shape (P,)
+    """
+    swapped = parameters.copy()
+    for j in _LEGS:
+        other = JOINTS.index(other_side(JOINTS[j]))
+        # A mirror at the plane of left and right turns about x as it was.
+        signs = [1.0 if axis == "X" else -1.0 for axis in EULER_ORDERS[JOINTS[j]]]
+        swapped[3 * j : 3 * j + 3] = signs * parameters[3 * other : 3 * other + 3]
+    return swapped
+
+
+def distinct(parameters: Array, costs: Array) -> Indices:
+    """Choose the cheapest of the ends that agree with each other, the cheapest of all first.
+
+    Parameters
+    ----------
+    parameters : ndarray, shape (k, P)
+    costs : ndarray, shape (k,)
+
+    Returns
+    -------
+    kept : ndarray of int
+    """
+    kept: list[int] = []
+    for end in np.argsort(costs, kind="stable"):
+        apart = _wrapped(parameters[kept, :ANGLES] - parameters[end, :ANGLES])
+        if np.isfinite(costs[end]) and (np.abs(apart).mean(axis=1) > _ALIKE).all():
+            kept.append(int(end))
+    return np.array(kept or [0])
+
+
+def weights_of(costs: Array) -> Array:
+    """Probabilities of modes by minus twice their log posterior densities."""
+    if not np.isfinite(costs).all():  # the body is out of sight
+        return np.full(len(costs), 1 / len(costs))
+    likely = np.exp(-(costs - np.min(costs)) / 2)
+    return likely / likely.sum()
+
+
+def most_likely_path(
+    modes: Sequence[Array], costs: Sequence[Array], change: Array, bend: Array
+) -> Indices:
+    """Choose one of each frame's modes by Viterbi's algorithm, of second order.
+
+    That a pose changes little prefers legs that bounce off each other where they meet; that
+    changes last prefers legs that pass.
+
+    Parameters
+    ----------
+    modes : sequence of ndarray, each (k, P)
+        Parameters, by frame.
+    costs : sequence of ndarray, each (k,)
+        Minus twice their log posterior densities.
+    change, bend : ndarray, shape (54, 54)
+        Covariances of the change of angles from a frame to the next, and of the change of that,
+        radians².
+
+    Returns
+    -------
+    path : ndarray of int, shape (F,)
+    """
+    whiten = np.linalg.inv(np.linalg.cholesky(change))
+    whiten_bend = np.linalg.inv(np.linalg.cholesky(bend))
+    total = np.asarray(costs[0])[None]  # by the mode before and the mode now
+    steps = np.zeros((1, len(costs[0]), ANGLES))
+    came_from: list[Indices] = []
+    for t in range(1, len(modes)):
+        new = _wrapped(modes[t][None, :, :ANGLES] - modes[t - 1][:, None, :ANGLES])
+        moved = ((new @ whiten.T) ** 2).sum(axis=2)
+        through = total[:, :, None] + (moved + costs[t])[None]
+        if t > 1:
+            bends = (new @ whiten_bend.T)[None] - (steps @ whiten_bend.T)[:, :, None]
+            through = through + (bends**2).sum(axis=3)
+        came_from.append(through.argmin(axis=0))
+        total, steps = through.min(axis=0), new
+    before, now = np.unravel_index(int(np.argmin(total)), total.shape)
+    path = [int(now)]
+    for best in reversed(came_from):
+        path.append(int(before))
+        before, now = best[before, now], before
+    return np.array(path[::-1])
+
+
+def _wrapped(angles: Array) -> Array:
+    return angles - 2 * np.pi * np.round(angles / (2 * np.pi))

@@ -1,0 +1,248 @@
+"""Fitting live: each frame from its estimate, and from the last fit moved on.
+
+The pose at frame t has two priors: the estimate e, whose errors have the covariance S, and the
+pose that is expected from the fits before, m, with the covariance T of what may have happened
+since. Both are Gaussians with outliers: an estimate may be of the person seen from behind, and
+the person may have been followed wrongly. Where the two disagree, each leads to a fit, and the
+one that explains the mask better counts; if both explain it, what is expected, until estimates
+have disagreed for a while.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES as SPACE
+from silpose.core.types import Array, Mask
+from silpose.fitting.body_fitter import BodyFitter
+from silpose.fitting.contour import Contour, contour_of
+from silpose.fitting.expected_pose import ExpectedPose
+from silpose.fitting.fit import FAR
+from silpose.fitting.frame_fit import fit_frame
+from silpose.fitting.geometry import geometry_of
+from silpose.fitting.image_scale import ImageScale
+from silpose.fitting.likelihood import misfit_of
+from silpose.fitting.overlap import overlap, silhouette_of
+from silpose.fitting.parameters import ANGLES, PARAMETERS, difference
+
+TOLERATED = 0.75
+"""Share of the usual overlap of body and mask below which the person counts as lost."""
+
+_NEW_START = 60.0  # cost of a pose that does not follow from those before,
+_WRONG_ESTIMATE = 10.0  # and, for each frame running, of one far from the estimate
+# Squared distance of an estimate from what is expected, in standard deviations of 54 angles,
+_USUAL = 30.0  # up to which that alone is tried if it explains the mask, and
+_PLAUSIBLE = 100.0  # up to which both may be right
+_WORSE = 1.5  # factor of what body and mask usually do not share, from which both are tried
+_ITERATIONS, _AT_FIRST = {"known": 4, "estimated": 8}, 8
+_MOST = 600  # points of a contour: a person's have fewer, and time is limited
+
+
+class _Seen(NamedTuple):
+    """A frame: its mask and contour, where the root is, and the estimated angles, if any."""
+
+    mask: Mask
+    contour: Contour
+    root: Array
+    estimate: Array | None
+
+
+class _End(NamedTuple):
+    """Where a start led, and whether it was an estimate on its own."""
+
+    parameters: Array
+    hessian: Array
+    iou: float
+    anew: bool
+
+
+class FitterStream:
+    """Fits the body to one mask after another; the fitter is not changed.
+
+    Parameters
+    ----------
+    fitter : BodyFitter
+        With an estimated camera, the image's shift and scale are fitted; the elevation and the
+        body's shape are the fitter's. With an estimated shape, clothes are allowed for.
+    usual_iou : float, default=0.95
+        Overlap of body and mask in training, by which a fit is judged.
+    frames_per_second : float, default=15.0
+    iterations : int, optional
+        Gauss-Newton steps of each start, by default 4, or 8 where the camera is estimated; at
+        least 8 while no person is followed.
+
+    Attributes
+    ----------
+    iou : float
+        Overlap of the body and the last mask; NaN before the first one and if it was blank.
+    covariance : ndarray, shape (54, 54)
+        Of the last fit's angles, degrees²; NaN where there is none.
+    """
+
+    def __init__(
+        self,
+        fitter: BodyFitter,
+        *,
+        usual_iou: float = 0.95,
+        frames_per_second: float = 15.0,
+        iterations: int | None = None,
+    ) -> None:
+        self._fitter, self._geometry, self._view = fitter, geometry_of(fitter.body), fitter.view
+        self._usual_iou = usual_iou
+        self._change = fitter.prior.change_within(1 / frames_per_second)
+        clothed = fitter.shape_is == "estimated"
+        self._matching = fitter.matching.clothed() if clothed else fitter.matching
+        self._precision = fitter.prior.precision
+        self._errors = np.linalg.inv(self._precision).astype(float)
+        self._without_heading = np.linalg.inv(self._errors[1:, 1:]).astype(float)
+        self._iterations = iterations or _ITERATIONS[fitter.camera_is]
+        self._expected: ExpectedPose | None = None
+        self._scale = ImageScale(self._geometry, self._view, fitter.camera.height)
+        self._state = "starting"
+        self._overruled = 0  # frames running in which what was expected counted, not the estimate
+        self.iou = np.nan
+        self.covariance = np.full((ANGLES, ANGLES), np.nan)
+
+    def step(
+        self, mask: Mask, start: ArrayLike | None = None, root: ArrayLike | None = None
+    ) -> tuple[Array, str]:
+        """Fit the next frame.
+
+        Parameters
+        ----------
+        mask : ndarray, shape (H, W)
+            Blank or not, of the camera's size.
+        start : array-like, shape (55,), optional
+            Estimated pose, of a regressor or a tracker; NaN where there is none.
+        root : array-like, shape (3,), optional
+            Root relative to what the camera looks at, metres; at the origin by default.
+
+        Returns
+        -------
+        x : ndarray, shape (55,)
+            The pose; where nothing can be fitted the last one, or NaN if there is none.
+        state : str
+            ``starting`` until the body explains a mask, then ``tracking``; ``lost`` where it
+            explains a mask much worse than is usual or only by a pose that is far from all that
+            was estimated, or the mask is blank; ``recovered`` in the first frame after that.
+
+        Raises
+        ------
+        InputError
+            If the mask is of another size than the camera's.
+        """
+        camera = self._fitter.camera
+        if np.shape(mask) != (camera.height, camera.width):
+            raise InputError(
+                f"a mask has shape {np.shape(mask)} where the camera's is "
+                f"{(camera.height, camera.width)}: give masks of one size, that of the camera"
+            )
+        place = np.zeros(3) if root is None else np.asarray(root, dtype=float)
+        seen = _Seen(np.asarray(mask), _thinned(contour_of(mask)), place, _angles_of(start))
+        end = self._fit(seen) if len(seen.contour.pixels) else None
+        if end is None:
+            self.iou, self.covariance = np.nan, np.full((ANGLES, ANGLES), np.nan)
+            self._miss()
+            return self._held(), self._state
+        covariance = np.linalg.inv(end.hessian).astype(float)[:ANGLES, :ANGLES]
+        self.iou, self.covariance = end.iou, np.rad2deg(np.rad2deg(covariance))
+        if self.iou >= TOLERATED * self._usual_iou and self._is_near(end, seen):
+            self._follow(end, covariance)
+        else:
+            self._miss()
+        return SPACE.from_angles(np.rad2deg(end.parameters[:ANGLES])), self._state
+
+    def _fit(self, seen: _Seen) -> _End | None:
+        """Fit from what is expected and, if that may be wrong, from the estimate alone."""
+        expected, estimate = self._expected, seen.estimate
+        if expected is None:
+            return None if estimate is None else self._end(estimate, self._precision, seen)
+        if estimate is None:
+            return self._end(expected.mean, expected.precision, seen, expected.mean)
+        off = difference(estimate, expected.mean)
+        apart = off @ np.linalg.solve(expected.covariance + self._errors, off)
+        prior = expected.mean, expected.precision
+        if apart < _PLAUSIBLE:
+            prior = expected.together_with(estimate, self._precision)
+        ends = [self._end(*prior, seen, expected.mean)]
+        if apart > _USUAL or 1 - ends[0].iou > _WORSE * (1 - self._usual_iou):
+            ends.append(self._end(estimate, self._precision, seen))
+        best = int(np.argmin([self._cost(end, seen) for end in ends]))
+        self._overruled = self._overruled + 1 if best < len(ends) - 1 else 0
+        return ends[best]
+
+    def _end(self, mean: Array, precision: Array, seen: _Seen, start: Array | None = None) -> _End:
+        """Fit from a start, or from the prior's mean as a start of its own."""
+        angles = mean if start is None else start
+        if self._fitter.camera_is == "estimated":
+            mean = self._scale.placed(mean, seen.root, seen.contour)
+            precision = self._scale.precision_with(precision)
+            angles = np.concatenate([angles, mean[ANGLES:]])
+        follows = self._state in ("tracking", "recovered")
+        iterations = self._iterations if follows else max(self._iterations, _AT_FIRST)
+        body = self._geometry, self._view, self._matching
+        parameters, hessian, _ = fit_frame(
+            angles, mean, precision, seen.root, seen.contour, *body, iterations
+        )
+        every = np.pad(parameters, (0, PARAMETERS - len(parameters)))
+        filled = silhouette_of(every, seen.root, *body[:2], *seen.mask.shape)
+        return _End(parameters, hessian, overlap(filled, seen.mask), start is None)
+
+    def _cost(self, end: _End, seen: _Seen) -> float:
+        """Minus twice the log posterior, in which what is far away costs no more than a limit."""
+        parameters, expected = end.parameters, self._expected
+        body = self._geometry, self._view, self._matching
+        cost = misfit_of(parameters, seen.root, seen.contour, *body)
+        if seen.estimate is not None:
+            off = difference(parameters[:ANGLES], seen.estimate)
+            wrong = _WRONG_ESTIMATE * (1 + self._overruled)
+            cost += min(wrong, float(off @ self._precision @ off))
+        if expected is not None:
+            off = difference(parameters[:ANGLES], expected.mean)
+            cost += min(_NEW_START, float(off @ expected.precision @ off))
+        return cost
+
+    def _is_near(self, end: _End, seen: _Seen) -> bool:
+        """Whether the pose, the heading left out, is near the estimate or what is expected."""
+        others = [] if seen.estimate is None else [seen.estimate]
+        if self._expected is not None:
+            others.append(self._expected.mean)
+        offs = [difference(end.parameters[:ANGLES], other)[1:] for other in others]
+        limit = FAR**2 * (ANGLES - 1)
+        return any(off @ self._without_heading @ off < limit for off in offs)
+
+    def _follow(self, end: _End, covariance: Array) -> None:
+        parameters = end.parameters
+        self._expected = ExpectedPose.after(
+            None if end.anew else self._expected, parameters[:ANGLES], covariance, self._change
+        )
+        if len(parameters) > ANGLES:
+            self._scale.add(parameters)
+        self._state = "recovered" if self._state == "lost" else "tracking"
+
+    def _miss(self) -> None:
+        if self._expected is not None:
+            self._expected = self._expected.a_frame_later()
+        if self._state != "starting":
+            self._state = "lost"
+
+    def _held(self) -> Array:
+        if self._expected is None:
+            return np.full(ANGLES + 1, np.nan)
+        return SPACE.from_angles(np.rad2deg(self._expected.fitted))
+
+
+def _thinned(contour: Contour) -> Contour:
+    every = -(-len(contour.pixels) // _MOST) or 1
+    return Contour(*(np.ascontiguousarray(part[::every]) for part in contour))
+
+
+def _angles_of(pose: ArrayLike | None) -> Array | None:
+    """Angles (54,) in radians of a pose, None if it is not known."""
+    if pose is None or not np.isfinite(pose).all():
+        return None
+    return np.deg2rad(SPACE.angles(pose))

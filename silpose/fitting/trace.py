@@ -1,0 +1,101 @@
+"""One frame's fit step by step: how outline and cost converge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from silpose.core.types import Array, Mask
+from silpose.fitting.body_fitter import BodyFitter
+from silpose.fitting.contour import contour_of
+from silpose.fitting.fitted_body import fitted_silhouettes, parameters_of
+from silpose.fitting.geometry import geometry_of
+from silpose.fitting.likelihood import misfit_of
+from silpose.fitting.parameters import ANGLES, difference
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """A frame's fit after 0, 1, 2, … iterations.
+
+    Attributes
+    ----------
+    mask : ndarray, shape (H, W)
+        The mask that is fitted to.
+    x : ndarray, shape (n + 1, 55)
+        Poses, the start first.
+    silhouettes : list of ndarray, each (H, W)
+        Of the body in these poses.
+    iou : ndarray, shape (n + 1,)
+        Intersection over union of silhouette and mask.
+    cost : ndarray, shape (n + 1,)
+        Minus twice the log posterior density of the pose, up to a constant.
+    """
+
+    mask: Mask
+    x: Array
+    silhouettes: list[Mask]
+    iou: Array
+    cost: Array
+
+
+def trace_frame(
+    fitter: BodyFitter, mask: Mask, start: ArrayLike, *, root: ArrayLike | None = None
+) -> Trace:
+    """Fit one frame by itself, and keep what there is after every iteration.
+
+    Parameters
+    ----------
+    fitter : BodyFitter
+    mask : ndarray, shape (H, W)
+    start : array-like, shape (55,)
+        Estimated pose.
+    root : array-like, shape (3,), optional
+        Root relative to what the camera looks at, metres; at the origin by default.
+
+    Returns
+    -------
+    trace : Trace
+        Of one more than the fitter's iterations.
+
+    Raises
+    ------
+    InputError
+        If the mask is blank or the pose NaN.
+    """
+    place = np.zeros((1, 3)) if root is None else np.asarray(root, dtype=float)[None]
+    poses = np.asarray(start, dtype=float)[None]
+    fits = [
+        _stopped_after(fitter, k).fit([mask], poses, roots=place)
+        for k in range(fitter.iterations + 1)
+    ]
+    contour, geometry = contour_of(mask), geometry_of(fitter.body)
+    costs = []
+    mean = parameters_of(fitter, fits[0])[0, :ANGLES]
+    for fit in fits:
+        own = parameters_of(fitter, fit)[0]
+        off = difference(mean, own[:ANGLES])
+        misfit = misfit_of(own, place[0], contour, geometry, fitter.view, fitter.matching)
+        costs.append(misfit + off @ fitter.prior.precision @ off)
+    return Trace(
+        mask,
+        np.concatenate([fit.x for fit in fits]),
+        [fitted_silhouettes(fitter, fit, place)[0] for fit in fits],
+        np.concatenate([fit.iou for fit in fits]),
+        np.array(costs),
+    )
+
+
+def _stopped_after(fitter: BodyFitter, iterations: int) -> BodyFitter:
+    return BodyFitter(
+        fitter.body,
+        fitter.camera,
+        fitter.prior,
+        camera_is=fitter.camera_is,
+        shape_is=fitter.shape_is,
+        whole_take=False,
+        iterations=iterations,
+        matching=fitter.matching,
+    )

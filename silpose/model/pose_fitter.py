@@ -1,0 +1,171 @@
+"""A fitter that is part of a model: the body, how the model's estimates err, and further starts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
+from silpose.core.serialisation import State, prefixed, unwrapped, without_prefix
+from silpose.core.types import Array, Mask
+from silpose.fitting import BodyFitter, Fit, FitterStream, FittingOptions, Matching, PosePrior
+from silpose.regression import DistinctNeighbours
+from silpose.silhouette import Body, Camera
+
+_CHOICES = ("camera_is", "shape_is", "whole_take", "iterations")
+
+
+@dataclass(frozen=True, eq=False)
+class PoseFitter:
+    """Fits the body to masks whose poses a model has estimated.
+
+    Attributes
+    ----------
+    fitter : BodyFitter
+        Its camera is that of training; masks of another size are taken to be seen by a camera
+        that differs in nothing else.
+    z, x : ndarray, shapes (n, d) and (n, 55)
+        Training examples, among which further starts are found.
+    starts : int
+        Number of further starts of each frame.
+    usual_iou : float
+        Overlap of body and mask in training.
+    """
+
+    fitter: BodyFitter
+    z: Array
+    x: Array
+    starts: int
+    usual_iou: float
+
+    def fit(
+        self,
+        masks: Sequence[Mask],
+        z: Array,
+        x: Array,
+        *,
+        further: Array | None = None,
+        roots: ArrayLike | None = None,
+        frames_per_second: float = 15.0,
+    ) -> Fit:
+        """Fit the body to masks.
+
+        Parameters
+        ----------
+        masks : sequence of ndarray, each (H, W)
+            Consecutive frames, blank or not.
+        z, x : ndarray, shapes (F, d) and (F, 55)
+            Their descriptors and estimated poses; NaN for a blank mask.
+        further : ndarray, shape (F, k, 55), optional
+            Further poses to start from, such as a tracker's.
+        roots : array-like, shape (F, 3), optional
+            Root relative to what the camera looks at, metres; at the origin by default.
+        frames_per_second : float, default=15.0
+
+        Returns
+        -------
+        fit : Fit
+
+        Raises
+        ------
+        InputError
+            If masks have different sizes.
+        """
+        sizes = sorted({np.shape(mask) for mask in masks})
+        if len(sizes) > 1:
+            raise InputError(
+                f"masks have the sizes {sizes[0]} and {sizes[1]}: fit to masks of one camera, "
+                "which have the same size"
+            )
+        others = self._neighbours.find(z, self.starts)
+        if further is not None:
+            others = np.concatenate([further, others], axis=1)
+        return self._for_size(sizes[0]).fit(
+            masks, x, others=others, roots=roots, frames_per_second=frames_per_second
+        )
+
+    def stream(self, shape: tuple[int, ...], frames_per_second: float = 15.0) -> FitterStream:
+        """Start fitting live.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            Height and width of the masks.
+        frames_per_second : float, default=15.0
+
+        Returns
+        -------
+        stream : FitterStream
+        """
+        return FitterStream(
+            self._for_size(shape),
+            usual_iou=self.usual_iou,
+            frames_per_second=frames_per_second,
+        )
+
+    def with_options(self, options: FittingOptions) -> Self:
+        """Fit with other knowledge, and from other starts, than in training."""
+        fitter = self.fitter
+        prior = replace(fitter.prior, lasting=options.lasting, seconds=options.seconds)
+        changed = BodyFitter(
+            fitter.body, fitter.camera, prior, camera_is=options.camera, shape_is=options.shape,
+            whole_take=options.whole_take, iterations=options.iterations,
+            matching=fitter.matching,
+        )  # fmt: skip
+        return replace(self, fitter=changed, starts=options.starts)
+
+    @cached_property
+    def _neighbours(self) -> DistinctNeighbours:
+        return DistinctNeighbours(self.z, self.x, ANGLES.distance)
+
+    def _for_size(self, shape: tuple[int, ...]) -> BodyFitter:
+        fitter = self.fitter
+        height, width = shape
+        if (height, width) == (fitter.camera.height, fitter.camera.width):
+            return fitter
+        camera = replace(fitter.camera, height=height, width=width)
+        choices: dict[str, Any] = {name: getattr(fitter, name) for name in _CHOICES}
+        return BodyFitter(fitter.body, camera, fitter.prior, matching=fitter.matching, **choices)
+
+    def to_arrays(self) -> State:
+        """Return everything as arrays, numbers and strings."""
+        fitter, body = self.fitter, self.fitter.body
+        shape = {} if body.shape is None else {"shape": np.array(body.shape)}
+        return {
+            "z": self.z,
+            "x": self.x,
+            "starts": self.starts,
+            "usual_iou": self.usual_iou,
+            **{name: getattr(fitter, name) for name in _CHOICES},
+            **prefixed("body", {"kind": body.kind, "level": body.level, **shape}),
+            **prefixed("camera", _values_of(fitter.camera)),
+            **prefixed("prior", _values_of(fitter.prior)),
+            **prefixed("matching", fitter.matching._asdict()),
+        }
+
+    @classmethod
+    def from_arrays(cls, state: State) -> Self:
+        """Restore a fitter from the result of `to_arrays`."""
+        values = unwrapped(state)
+        body, camera, prior, matching = (
+            without_prefix(part, values) for part in ("body", "camera", "prior", "matching")
+        )
+        if "shape" in body:
+            body["shape"] = body["shape"].tolist()
+        fitter = BodyFitter(
+            Body(**body), Camera(**camera), PosePrior(**prior), matching=Matching(**matching),
+            **{name: values[name] for name in _CHOICES},
+        )  # fmt: skip
+        return cls(fitter, values["z"], values["x"], values["starts"], values["usual_iou"])
+
+
+def _values_of(part: Camera | PosePrior) -> State:
+    """Values of a dataclass's fields that are not None."""
+    values = {field.name: getattr(part, field.name) for field in fields(part)}
+    return {name: value for name, value in values.items() if value is not None}
