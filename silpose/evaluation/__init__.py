@@ -1,10 +1,17 @@
-"""How good estimated poses are: metrics and baselines, recovery after failures.
+"""How good estimated poses are: metrics, baselines, recovery after failures.
 
 Takes true and estimated poses and gives numbers and rows for ``metrics.json`` and
 ``results.csv``.
 """
 
 from silpose.evaluation.baselines import BASELINES, baselines, oracle
+from silpose.evaluation.density_baselines import (
+    DensityBaseline,
+    GaussianMixtureRegression,
+    SingleGaussian,
+    choose_density_baseline,
+    neighbour_modes,
+)
 from silpose.evaluation.heading import (
     HEADING_LIMIT_DEG,
     heading_confidence,
@@ -28,10 +35,14 @@ __all__ = [
     "HEADLINES",
     "KINDS",
     "METRICS",
+    "DensityBaseline",
     "FailureSequence",
     "FailureTrial",
+    "GaussianMixtureRegression",
+    "SingleGaussian",
     "baselines",
     "blank_trials",
+    "choose_density_baseline",
     "cut_trials",
     "depth_mirrored",
     "differences",
@@ -42,6 +53,7 @@ __all__ = [
     "key_angles",
     "kinds_of",
     "measure",
+    "neighbour_modes",
     "oracle",
     "thigh_swing",
 ]

@@ -4,7 +4,7 @@ Takes a `Dataset`, fits descriptor, regressors and trackers to it, and hands the
 experiments, to recordings, and as one file to whoever loads it.
 """
 
-from silpose.model.describe import describe, describe_takes, fit_descriptor
+from silpose.model.describe import Descriptor, describe_takes, fit_descriptor
 from silpose.model.descriptor_cache import DescriptorCache
 from silpose.model.loading import load
 from silpose.model.pose_model import PoseModel
@@ -14,13 +14,13 @@ from silpose.model.training import DescribedDataset, compare, describe_dataset
 
 __all__ = [
     "DescribedDataset",
+    "Descriptor",
     "DescriptorCache",
     "PoseModel",
     "Poses",
     "PredictionDetails",
     "TrackerTraining",
     "compare",
-    "describe",
     "describe_dataset",
     "describe_takes",
     "fit_descriptor",
