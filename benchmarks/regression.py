@@ -1,63 +1,80 @@
-"""How fast sparse regressors are fitted, and how good they are.
+"""Speed and errors of sparse regressors: python benchmarks/regression.py [--fast] [AGARWAL.mat].
 
-python benchmarks/regression.py [AGARWAL.mat]
-
-Speed on 2636 kernels and 55 outputs of walkers, the size of the paper's; errors, where the
-authors' file is given, on its test sequence. Compares with `fastrvm` if that is installed.
+Speed on 2636 kernels and 55 outputs of walkers, the size of the paper's; errors on the walkers'
+test take and, where the authors' file is given, on theirs. Compares with `fastrvm` if that is
+installed. With ``--fast``, 300 kernels.
 """
 
 import sys
 import tracemalloc
 import warnings
 from collections.abc import Callable
+from dataclasses import dataclass
 from time import perf_counter
 
 import numpy as np
 from sklearn.linear_model import ARDRegression
-from timing import report
+from timing import FAST, report
 
-from silpose.app.config import build_components, load
-from silpose.core.pose_space import ANGLES, PoseSpace
-from silpose.dataset import AgarwalFile
-from silpose.model.training import described
-from silpose.regression import Basis, RelevanceVectorRegressor, RidgeRegressor
+from silpose.core.pose_space import PoseSpace
+from silpose.core.types import Array, Indices
+from silpose.dataset import AgarwalFile, Dataset, Renderer, SamePerformer
+from silpose.descriptor import ShapeContextHistogram
+from silpose.model import describe_dataset
+from silpose.motion import WalkerTakes
+from silpose.regression import Basis, Regressor, RelevanceVectorRegressor, RidgeRegressor
 from silpose.regression.normal_equations import NormalEquations
-from silpose.regression.sparse.elimination import eliminate
+from silpose.regression.sparse import eliminate
 
-COUNT, WIDTH, DAMPING = 2636, 2.0, 0.01
-Data = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, PoseSpace]
-
-
-def walkers() -> Data:
-    """Photograph 2636 training frames of walkers, and their test sequence."""
-    rooms = build_components(load(["motion.seconds=22"]))
-    data = rooms.dataset()
-    ready = described(rooms, data)
-    z, x = (np.concatenate(part)[:COUNT] for part in zip(*ready.train, strict=True))
-    return z, x, *ready.test[0], ANGLES
+COUNT = 300 if FAST else 2636
+ROUNDS = 1 if FAST else 3
+BASIS = Basis(width=2.0)
+DAMPING = 0.01
 
 
-def authors(path: str) -> Data:
+@dataclass
+class Examples:
+    """Training frames and a test take, described."""
+
+    z: Array
+    x: Array
+    z_test: Array
+    x_test: Array
+    space: PoseSpace
+
+
+def describe(data: Dataset, count: int) -> Examples:
+    """Describe the first training frames, and the first test take."""
+    described = describe_dataset(data, ShapeContextHistogram())
+    z, x = described.joined("train")
+    return Examples(z[:count], x[:count], *described.test[0], data.space)
+
+
+def walkers() -> Examples:
+    """Render walkers and describe them."""
+    source = WalkerTakes(seconds=4, test_seconds=4) if FAST else WalkerTakes(seconds=22)
+    return describe(SamePerformer().load(Renderer(source)), COUNT)
+
+
+def authors(path: str) -> Examples:
     """Read the authors' 1927 training and 418 test frames."""
-    data = AgarwalFile(path).dataset()
-    z, x = (np.concatenate([getattr(take, name) for take in data.train]) for name in ("z", "x"))
-    return z, x, data.test[0].z, data.test[0].x, data.space
+    return describe(AgarwalFile(path).load(Renderer(WalkerTakes())), COUNT)
 
 
-def clock(work: Callable[[], object], rounds: int = 3) -> float:
+def clock(work: Callable[[], object]) -> float:
     """Seconds of the fastest round."""
     took = []
-    for _ in range(rounds):
+    for _ in range(ROUNDS):
         started = perf_counter()
         work()
         took.append(perf_counter() - started)
     return min(took)
 
 
-def speed(data: Data) -> None:
-    """Time one ridge solve, our RVM, and what others need for each output."""
-    z, x, *_ = data
-    basis = Basis(width=WIDTH, hellinger=True).fit(z)
+def speed(data: Examples) -> None:
+    """Time one ridge solve, the RVM, and other sparse regressors for each output."""
+    z, x = data.z, data.x
+    basis = BASIS.fit(z)
     kernels = basis.transform(z)
     system = NormalEquations.of(kernels, x)
     ridge = clock(lambda: system.solve(DAMPING))
@@ -73,7 +90,7 @@ def speed(data: Data) -> None:
         seconds = clock(lambda r=regressor: r.fit_system(basis, system))
         row(f"{name}, all {x.shape[1]} outputs", seconds, regressor.kept_)
     tracemalloc.start()
-    RelevanceVectorRegressor(Basis(width=WIDTH, hellinger=True), nu=50).fit(z, x)
+    RelevanceVectorRegressor(BASIS, nu=50).fit(z, x)
     peak = tracemalloc.get_traced_memory()[1] / kernels.nbytes
     tracemalloc.stop()
     for name, fit in others(kernels).items():
@@ -81,17 +98,17 @@ def speed(data: Data) -> None:
         seconds, kept = fit((y - y.mean()) / y.std())
         row(f"{name}, one output times {x.shape[1]}", seconds * x.shape[1], kept)
     report(
-        f"fitting {COUNT} x {COUNT} Gaussian kernels; the RVM's peak memory from z to fit is "
+        f"fitting {len(z)} x {len(z)} Gaussian kernels; the RVM's peak memory from z to fit is "
         f"{peak:.1f} kernel matrices",
         ["what", "seconds", "of a solve", "kept per output"],
         rows,
     )
 
 
-def others(kernels: np.ndarray) -> dict[str, Callable[[np.ndarray], tuple[float, float]]]:
-    """Single-output sparse regressors: each gives seconds and share kept."""
+def others(kernels: Array) -> dict[str, Callable[[Array], tuple[float, float]]]:
+    """Sparse regressors of a single output: each returns its seconds and the share kept."""
 
-    def ard(y: np.ndarray) -> tuple[float, float]:
+    def ard(y: Array) -> tuple[float, float]:
         machine = ARDRegression(max_iter=3)
         started = perf_counter()
         machine.fit(kernels, y)
@@ -103,7 +120,7 @@ def others(kernels: np.ndarray) -> dict[str, Callable[[np.ndarray], tuple[float,
     except ModuleNotFoundError:
         return found
 
-    def fast(y: np.ndarray) -> tuple[float, float]:
+    def fast(y: Array) -> tuple[float, float]:
         machine = RVR(kernel="precomputed", max_iter=3000)
         started = perf_counter()
         machine.fit(kernels, y)
@@ -112,28 +129,29 @@ def others(kernels: np.ndarray) -> dict[str, Callable[[np.ndarray], tuple[float,
     return {"fastrvm, 3000 iterations at most": fast, **found}
 
 
-def quality(data: Data, name: str) -> None:
-    """Test errors at two sizes beside a random subset and forward selection of the same."""
-    z, x, z_test, x_test, space = data
-    basis = Basis(width=WIDTH, hellinger=True).fit(z)
-    kernels, kernels_test = basis.transform(z), basis.transform(z_test)
+def quality(data: Examples, name: str) -> None:
+    """Compare test errors with a random subset and forward selection of the same two sizes."""
+    z, x = data.z, data.x
+    basis = BASIS.fit(z)
+    kernels, kernels_test = basis.transform(z), basis.transform(data.z_test)
     system = NormalEquations.of(kernels, x)
 
-    def error(estimated: np.ndarray) -> float:
-        return float(space.distance(x_test, estimated).mean())
+    def error(estimated: Array) -> float:
+        return float(data.space.distance(data.x_test, estimated).mean())
 
-    def of_subset(kept: np.ndarray) -> float:
+    def of_subset(kept: Indices) -> float:
         some = system.restrict(kept)
         coefficients, offset = some.unscaled(some.solve(DAMPING), slice(None))
         return error(kernels_test[:, kept] @ coefficients + offset)
 
-    def of_regressor(regressor: RidgeRegressor | RelevanceVectorRegressor) -> float:
+    def of_regressor(regressor: Regressor) -> float:
         regressor.fit_system(basis, system)
-        return error(regressor.predict(z_test))
+        return error(regressor.predict(data.z_test))
 
     counts = [int(share * len(z)) for share in (0.06, 0.18)]
     forward = forward_selection(kernels, x, max(counts))
-    rows = [["dense kernel ridge", *[f"{of_regressor(RidgeRegressor(None, DAMPING)):.3f}"] * 2]]
+    dense = of_regressor(RidgeRegressor(damping=DAMPING))
+    rows = [["dense kernel ridge", f"{dense:.3f}", f"{dense:.3f}"]]
     table = {
         "RVM": lambda n: of_regressor(
             RelevanceVectorRegressor(nu=16, keep_at_most=(n + 0.5) / len(z))
@@ -146,13 +164,13 @@ def quality(data: Data, name: str) -> None:
     }
     rows += [[what, *(f"{call(n):.3f}" for n in counts)] for what, call in table.items()]
     report(
-        f"{name}: {space.metrics[0].replace('_', ' ')} on the test sequence",
+        f"{name}: {data.space.metrics[0].replace('_', ' ')} on the test take",
         ["what", *(f"{n / len(z):.0%} kept" for n in counts)],
         rows,
     )
 
 
-def forward_selection(kernels: np.ndarray, x: np.ndarray, count: int) -> np.ndarray:
+def forward_selection(kernels: Array, x: Array, count: int) -> Indices:
     """Orthogonal least squares, all outputs at once: add what lowers the error most."""
     left = kernels - kernels.mean(axis=0)
     deviation = x.std(axis=0)
@@ -175,5 +193,6 @@ if __name__ == "__main__":
     data = walkers()
     speed(data)
     quality(data, "walkers")
-    if len(sys.argv) > 1:
-        quality(authors(sys.argv[1]), "the authors' data")
+    for path in sys.argv[1:]:
+        if path != "--fast":
+            quality(authors(path), "the authors' data")

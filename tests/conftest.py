@@ -3,6 +3,8 @@
 import os
 from pathlib import Path
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run side by side
+
 import cv2
 import pytest
 from synthetic import motion

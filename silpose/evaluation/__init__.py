@@ -1,4 +1,4 @@
-"""How good estimated poses are: metrics and baselines, recovery after failures.
+"""How good estimated poses are: metrics, baselines, recovery after failures.
 
 Takes true and estimated poses and gives numbers and rows for ``metrics.json`` and
 ``results.csv``.
@@ -6,6 +6,13 @@ Takes true and estimated poses and gives numbers and rows for ``metrics.json`` a
 
 from silpose.evaluation.baselines import BASELINES, baselines, oracle
 from silpose.evaluation.coverage import angles_covered, coverage_by_limb, joints_covered
+from silpose.evaluation.density_baselines import (
+    DensityBaseline,
+    GaussianMixtureRegression,
+    SingleGaussian,
+    choose_density_baseline,
+    neighbour_modes,
+)
 from silpose.evaluation.error_breakdown import TWIST_ANGLES, error_rows, twist_errors
 from silpose.evaluation.heading import (
     HEADING_LIMIT_DEG,
@@ -31,11 +38,15 @@ __all__ = [
     "KINDS",
     "METRICS",
     "TWIST_ANGLES",
+    "DensityBaseline",
     "FailureSequence",
     "FailureTrial",
+    "GaussianMixtureRegression",
+    "SingleGaussian",
     "angles_covered",
     "baselines",
     "blank_trials",
+    "choose_density_baseline",
     "coverage_by_limb",
     "cut_trials",
     "depth_mirrored",
@@ -49,6 +60,7 @@ __all__ = [
     "key_angles",
     "kinds_of",
     "measure",
+    "neighbour_modes",
     "oracle",
     "thigh_swing",
     "twist_errors",

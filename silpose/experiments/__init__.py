@@ -1,7 +1,7 @@
 """Experiments, one module and one function each: what the paper shows, and what it leaves open.
 
-Each takes `Components` and its own parameters and returns a `silpose.recording.Result`. A module
-is imported when its experiment is asked for.
+Each takes `Components`, which `silpose.app` builds from settings, and its own parameters, and
+returns a `silpose.recording.Result`. Modules are imported when their experiments are asked for.
 """
 
 from __future__ import annotations
@@ -10,7 +10,10 @@ from collections.abc import Callable, Iterator, Mapping
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from silpose.core.lazy_exports import lazy_exports
+
 if TYPE_CHECKING:
+    from silpose.experiments.setup import Components, prepare, prepare_tracking
     from silpose.recording import Result
 
 NAMES = (
@@ -40,4 +43,6 @@ class _Experiments(Mapping[str, "Callable[..., Result]"]):
 
 EXPERIMENTS: Mapping[str, Callable[..., Result]] = _Experiments()
 
-__all__ = ["EXPERIMENTS"]
+__getattr__ = lazy_exports(__name__, {"setup": ("Components", "prepare", "prepare_tracking")})
+
+__all__ = ["EXPERIMENTS", "Components", "prepare", "prepare_tracking"]

@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from silpose.core.pose_space import PoseSpace
 from silpose.core.stages import stage
 from silpose.core.types import Array, Metrics, Row
-from silpose.evaluation import KINDS, differences, kinds_of
-from silpose.evaluation.density_baselines import neighbour_modes
+from silpose.evaluation import KINDS, differences, kinds_of, neighbour_modes
 from silpose.experiments.ambiguity_figure import ambiguity_figure
 from silpose.experiments.setup import (
     MODES_SHOWN,

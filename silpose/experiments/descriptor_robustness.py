@@ -27,8 +27,7 @@ from silpose.experiments.descriptor_robustness_figure import (
 )
 from silpose.experiments.figures import in_words
 from silpose.experiments.setup import Components, renderer_of
-from silpose.model import DescribedDataset, compare, describe_takes
-from silpose.model.describe import Descriptor
+from silpose.model import DescribedDataset, Descriptor, compare, describe_takes
 from silpose.recording import Header, Recording, Result, record_study
 from silpose.regression import RegressionCandidates, Regressor
 from silpose.silhouette import Degradation, contour_damage, degrade
@@ -72,7 +71,7 @@ def descriptor_robustness(
     Parameters
     ----------
     components : Components
-    kinds : sequence of str
+    kinds : sequence of str, default=("boundary_noise", "holes", …)
         Kinds of degradation.
     strengths : sequence of float, default=(0.1, 0.2, 0.4, 0.7, 1)
         Strengths of each.

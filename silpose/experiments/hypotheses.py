@@ -14,7 +14,13 @@ from silpose.core.stages import stage, timed
 from silpose.core.types import Array, Row
 from silpose.evaluation import HEADING_LIMIT_DEG, FailureSequence, blank_trials, cut_trials
 from silpose.experiments.figures import ESTIMATED, NEUTRAL, TRUE, format_headings
-from silpose.experiments.setup import Components, fitter_of_model, prepare_tracking, tidy
+from silpose.experiments.setup import (
+    MODES_SHOWN,
+    Components,
+    fitter_of_model,
+    prepare_tracking,
+    tidy,
+)
 from silpose.model import TrackerTraining
 from silpose.recording import (
     GroundTruth,
@@ -69,7 +75,7 @@ def hypotheses(components: Components, *, blank_frames: int = 20, trials: int = 
     described = training.described
     sequence = FailureSequence.of(described.data.test[0], described.test[0][0], blank_frames)
     with stage("tracking"):
-        track = tracker.track(sequence.z)
+        track = tracker.track(sequence.z, modes=MODES_SHOWN)
     take, space = sequence.take, described.data.space
     headline = training.validation_error("hypotheses")
     fitter = fitter_of_model(components, described, training.ridge)
@@ -139,8 +145,7 @@ def _record(
 ) -> None:
     """Record the modes of each silhouette, and those of the tracker, with failures injected."""
     take, z = sequence.take, sequence.z
-    assert track.weights is not None
-    weights, means, _ = mixture.predict_modes(np.nan_to_num(z), track.weights.shape[1])
+    weights, means, _ = mixture.predict_modes(np.nan_to_num(z), MODES_SHOWN)
     weights[np.isnan(z).any(axis=1)] = 0
     errors = {
         "mixture_top1": space.distance(take.x, means[:, 0]),

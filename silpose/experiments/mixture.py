@@ -12,12 +12,13 @@ import numpy as np
 from silpose.core.pose_space import PoseSpace
 from silpose.core.stages import timed
 from silpose.core.types import Array, Metrics, Row
-from silpose.evaluation import baselines, measure
-from silpose.evaluation.density_baselines import (
+from silpose.evaluation import (
     DensityBaseline,
     GaussianMixtureRegression,
     SingleGaussian,
+    baselines,
     choose_density_baseline,
+    measure,
     neighbour_modes,
 )
 from silpose.experiments.mixture_figure import best_of_name, mixture_figure

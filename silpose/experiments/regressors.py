@@ -53,7 +53,8 @@ def regressors(
     series, errors = {}, []
     for basis, candidates in _bases(components.regression).items():
         chosen = described.choose(candidates, methods)
-        errors += [chosen.validation_error(method) for method in methods]
+        compared = [row["validation_error"] for row in chosen.rows]
+        errors += compared or [chosen.validation_error(method) for method in methods]
         estimates, measured = compare(described, chosen.regressors)
         for method, estimated in estimates.items():
             name = f"{method} {basis}" if method in methods else method

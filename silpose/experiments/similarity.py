@@ -22,18 +22,18 @@ from silpose.recording import Recording, Result, record_study
 APART = 15  # frames between two frames of similar poses, at least
 
 
-def similarity(components: Components, *, sequences: Sequence[str] = ("train_5",)) -> Result:
+def similarity(components: Components, *, takes: Sequence[str] = ("train_5",)) -> Result:
     """Compare every two frames of a walk by their descriptors, and by their true poses.
 
     Parameters
     ----------
     components : Components
-    sequences : sequence of str, default=("train_5",)
+    takes : sequence of str, default=("train_5",)
         Names or globs of takes, by default the figure's own; the first take that one of them
         matches is compared, else the first test take.
     """
     data = components.load()
-    take = _choose(data, sequences)
+    take = _choose(data, takes)
     with stage("descriptors"):
         descriptor = fit_descriptor(components.descriptor, data.train)
         ((z, x),) = describe_takes(descriptor, [take])

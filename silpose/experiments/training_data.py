@@ -17,7 +17,7 @@ from silpose.core.types import Array, Metrics, Row
 from silpose.dataset import Renderer, SceneSampler, Take
 from silpose.evaluation import baselines
 from silpose.experiments.setup import Components, renderer_of
-from silpose.model import DescribedDataset, describe, describe_dataset
+from silpose.model import DescribedDataset, describe_dataset, describe_takes
 from silpose.recording import Recording, Result, record_study
 from silpose.regression import Regressor, check_methods
 
@@ -106,8 +106,8 @@ def _errors(
 ) -> dict[str, Array]:
     """Compute the reported metric, by method and baseline, frame by frame."""
     space = described.data.space
-    z = np.concatenate(describe(described.descriptor, takes))
-    x = np.concatenate([take.x for take in takes])
+    examples = describe_takes(described.descriptor, takes)
+    z, x = (np.concatenate(part) for part in zip(*examples, strict=True))
     estimates = baselines(space, *described.joined("train"), z, x)
     estimates |= {method: regressor.predict(z) for method, regressor in regressors.items()}
     return {method: space.distance(x, estimated) for method, estimated in estimates.items()}

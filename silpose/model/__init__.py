@@ -4,7 +4,7 @@ Takes a `Dataset`, fits descriptor, regressors, trackers and a body fitter to it
 fitted parts to experiments, to recordings, and as one file to whoever loads it.
 """
 
-from silpose.model.describe import describe, describe_takes, fit_descriptor
+from silpose.model.describe import Descriptor, describe_takes, fit_descriptor
 from silpose.model.descriptor_cache import DescriptorCache
 from silpose.model.fitter_training import FitterTraining
 from silpose.model.loading import load
@@ -16,6 +16,7 @@ from silpose.model.training import DescribedDataset, compare, describe_dataset
 
 __all__ = [
     "DescribedDataset",
+    "Descriptor",
     "DescriptorCache",
     "FitterTraining",
     "PoseFitter",
@@ -24,7 +25,6 @@ __all__ = [
     "PredictionDetails",
     "TrackerTraining",
     "compare",
-    "describe",
     "describe_dataset",
     "describe_takes",
     "fit_descriptor",

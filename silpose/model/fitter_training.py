@@ -22,6 +22,7 @@ from silpose.model.training import DescribedDataset
 from silpose.regression import DistinctNeighbours, Fold, Regressor, folds
 from silpose.silhouette import Body, Camera
 
+_OWN_POSTURE = 0.3  # share of the variance of estimates' errors that is a performer's posture
 _FOLDS = 8  # largest number of parts in which training takes are left out
 _FRAMES = 10_000  # frames, about, that a regressor is fitted to when some are left out
 _EXAMPLES = 3000  # training examples that a model keeps for further starts
@@ -119,9 +120,18 @@ class FitterTraining:
             [x for _, x in self.described.train],
             self.left_out,
             self.described.data.train[0].frames_per_second,
-            lasting=self.options.lasting,
+            lasting=self._lasting,
             seconds=self.options.seconds,
         )
+
+    @property
+    def _lasting(self) -> float:
+        """Share of the errors that lasts: the own posture of performers who are not in training."""
+        if self.options.lasting is not None:
+            return self.options.lasting
+        data = self.described.data
+        known = {take.performer for take in data.train}
+        return 0.0 if {take.performer for take in data.test} <= known else _OWN_POSTURE
 
     def starts(self, z: Array) -> tuple[Array, Array]:
         """Estimate poses, and find others with similar silhouettes.

@@ -112,7 +112,8 @@ class PoseFitter:
     def with_options(self, options: FittingOptions) -> Self:
         """Fit with other knowledge, and from other starts, than in training."""
         fitter = self.fitter
-        prior = replace(fitter.prior, lasting=options.lasting, seconds=options.seconds)
+        lasting = fitter.prior.lasting if options.lasting is None else options.lasting
+        prior = replace(fitter.prior, lasting=lasting, seconds=options.seconds)
         changed = BodyFitter(
             fitter.body, fitter.camera, prior, camera_is=options.camera, shape_is=options.shape,
             whole_take=options.whole_take, iterations=options.iterations,

@@ -10,14 +10,16 @@ from dataclasses import dataclass, field
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
-from silpose.evaluation.headlines import Results, headlines
 from silpose.recording import entity_paths
 from silpose.recording.named_settings import flat, typed
 from silpose.recording.sinks import Sinks
+
+if TYPE_CHECKING:
+    from silpose.evaluation.headlines import Results
 
 
 @dataclass(frozen=True)
@@ -95,6 +97,8 @@ class Header:
 
 def results_table(results: Results) -> str:
     """Headlines as a markdown table, a row per method."""
+    from silpose.evaluation import headlines  # loads scikit-learn, which tools can do without
+
     titles, rows = headlines(results)
     ruler = ":--|" + "--:|" * (len(titles) - 1)
     table = [" | ".join(titles), ruler.strip("|"), *(" | ".join(row) for row in rows)]

@@ -211,8 +211,7 @@ class Basis(TransformerMixin, BaseEstimator):
 
     def _kernels(self, inputs: Array) -> Array:
         if self._metric() == "rbf":
-            exponents = _squared_distances(inputs, self.centres_)
-            exponents *= -self.beta_
+            exponents = self._exponents(inputs, self.centres_)
             return np.exp(exponents, out=exponents)
         # One job, as more would round differently.
         kernels = pairwise.pairwise_kernels(
@@ -222,8 +221,17 @@ class Basis(TransformerMixin, BaseEstimator):
 
     def _shares(self, inputs: Array) -> Array:
         # As a softmax of exponents: however far the inputs, the sum of kernels is not 0.
-        exponents = -self.beta_ * _squared_distances(inputs, self.summed_)
+        exponents = self._exponents(inputs, self.summed_)
         return np.asarray(softmax(exponents, axis=1)[:, self.places_])
+
+    def _exponents(self, inputs: Array, centres: Array) -> Array:
+        """-β ‖z - z_k‖², shape (n, k), by scikit-learn's arithmetic, without its checks."""
+        squared = inputs @ centres.T
+        squared *= -2
+        squared += np.einsum("ij,ij->i", inputs, inputs)[:, None]
+        squared += np.einsum("ij,ij->i", centres, centres)
+        np.maximum(squared, 0, out=squared)
+        return np.multiply(squared, -self.beta_, out=squared)
 
     def _metric(self) -> str:
         return "rbf" if self.kernel == "gaussian" else str(self.kernel)
@@ -240,11 +248,3 @@ class Basis(TransformerMixin, BaseEstimator):
 
     def _roots(self, inputs: Array) -> Array:
         return square_roots(inputs) if self.hellinger else inputs
-
-
-def _squared_distances(inputs: Array, centres: Array) -> Array:
-    """Squared Euclidean distances, shape (n, k), by scikit-learn's arithmetic, without checks."""
-    squared = -2 * (inputs @ centres.T)
-    squared += np.einsum("ij,ij->i", inputs, inputs)[:, None]
-    squared += np.einsum("ij,ij->i", centres, centres)
-    return np.maximum(squared, 0, out=squared)

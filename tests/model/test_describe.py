@@ -1,14 +1,11 @@
-import sys
-
 import numpy as np
 import pytest
 from synthetic import motion
 
 from silpose.dataset import LazyMasks, render_take
 from silpose.descriptor import ShapeContextHistogram
-from silpose.model import describe, fit_descriptor
-
-MODULE = sys.modules["silpose.model.describe"]  # whose function has its name
+from silpose.model import describe as module
+from silpose.model.describe import describe, fit_descriptor
 
 
 @pytest.fixture(scope="module")
@@ -26,9 +23,9 @@ def histogram(takes):
 
 def test_blocks_and_processes_change_nothing(takes, histogram, monkeypatch):
     expected = [histogram.transform(np.asarray(take.masks)) for take in takes]
-    monkeypatch.setattr(MODULE, "_BLOCK", 9)
+    monkeypatch.setattr(module, "_BLOCK", 9)
     here = describe(histogram, takes)
-    monkeypatch.setattr(MODULE, "_FEW", 0)
+    monkeypatch.setattr(module, "_FEW", 0)
     elsewhere = describe(histogram, takes)
     for one, other, z in zip(here, elsewhere, expected, strict=True):
         np.testing.assert_array_equal(one, z)
@@ -44,7 +41,7 @@ def test_no_more_than_a_block_of_masks_is_held(takes, histogram, monkeypatch):
         return walk(self)
 
     monkeypatch.setattr(LazyMasks, "__iter__", counted)
-    monkeypatch.setattr(MODULE, "_BLOCK", 8)
+    monkeypatch.setattr(module, "_BLOCK", 8)
     describe(histogram, takes)
     assert max(held) == 8 and sum(held) == 57
 
@@ -57,6 +54,6 @@ def test_a_codebook_is_fitted_to_an_even_share(takes, monkeypatch):
         return self
 
     monkeypatch.setattr(ShapeContextHistogram, "fit", fit)
-    monkeypatch.setattr(MODULE, "_CODEBOOK_MASKS", 20)
+    monkeypatch.setattr(module, "_CODEBOOK_MASKS", 20)
     fit_descriptor(ShapeContextHistogram(), takes)
     assert seen == [19]  # every third of 57

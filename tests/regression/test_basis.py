@@ -77,9 +77,7 @@ def test_restricted_and_restored_it_gives_the_same(smooth):
 
 def test_normalised_kernels_are_shares_of_their_sum(smooth):
     (z, _), (other, _) = smooth
-    plain, shares = (
-        Basis(centres=30, normalised=n, hellinger=False).fit(z) for n in (False, True)
-    )
+    plain, shares = (Basis(centres=30, normalised=n, hellinger=False).fit(z) for n in (False, True))
     kernels = plain.transform(other)
     expected = kernels / kernels.sum(axis=1, keepdims=True)
     np.testing.assert_allclose(shares.transform(other), expected)
@@ -94,7 +92,7 @@ def test_normalised_kernels_are_shares_of_their_sum(smooth):
 
 def test_unknown_or_no_functions_are_refused(smooth):
     (z, _), _ = smooth
-    with pytest.raises(InputError, match="kernel must be one of 'gaussian', .* not 'gausian'"):
+    with pytest.raises(InputError, match=r"kernel must be one of 'gaussian', .* not 'gausian'"):
         Basis("gausian").fit(z)
     with pytest.raises(InputError, match="needs linear=True"):
         Basis(None).fit(z)

@@ -12,5 +12,5 @@ def test_distances_of_roots_are_hellinger_distances():
 
 
 def test_negative_inputs_are_refused_with_a_remedy():
-    with pytest.raises(InputError, match="Negative values in data: .* hellinger=False"):
+    with pytest.raises(InputError, match=r"Negative values in data: .* hellinger=False"):
         square_roots(np.array([[0.5, -0.1]]))

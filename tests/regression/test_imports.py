@@ -7,7 +7,9 @@ OTHERS = ("motion", "silhouette", "dataset", "descriptor", "tracking", "evaluati
 
 def test_regression_loads_no_other_package_and_none_of_the_heavy_libraries():
     code = "import sys, silpose.regression; print(*sys.modules)"
-    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
     loaded = set(result.stdout.split())
     assert "silpose.regression" in loaded
     assert not loaded & {*HEAVY, *(f"silpose.{name}" for name in OTHERS)}

@@ -37,9 +37,7 @@ def test_wild_scales_and_constant_features_are_no_trouble(smooth):
         assert np.isfinite(regressor.fit(wild, x * 1e6).predict(wild)).all()
 
 
-@pytest.mark.parametrize(
-    "kind", [RidgeRegressor, RelevanceVectorRegressor, SupportVectorRegressor]
-)
+@pytest.mark.parametrize("kind", [RidgeRegressor, RelevanceVectorRegressor, SupportVectorRegressor])
 def test_kernels_are_evaluated_once_for_estimate_and_activations(smooth, kind, monkeypatch):
     (z, x), (unseen, _) = smooth
     regressor = kind().fit(z, x)

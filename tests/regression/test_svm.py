@@ -7,7 +7,9 @@ from silpose.core.errors import InputError
 from silpose.regression import Basis, SupportVectorRegressor
 
 
-@pytest.mark.parametrize("basis", [Basis(width=2, hellinger=False), Basis(None, linear=True, hellinger=False)])
+@pytest.mark.parametrize(
+    "basis", [Basis(width=2, hellinger=False), Basis(None, linear=True, hellinger=False)]
+)
 def test_agrees_with_scikit_learn(smooth, basis):
     (z, x), (unseen, _) = smooth
     ours = SupportVectorRegressor(basis, tube=0.05, penalty=3).fit(z, x)

@@ -9,7 +9,6 @@ from urllib.parse import quote
 
 from silpose.core.atomic_files import partial
 from silpose.core.errors import InputError
-from silpose.evaluation.headlines import headlines
 from silpose.recording.runs.finished_run import FinishedRun, load_run
 
 _STYLE = """
@@ -73,6 +72,8 @@ def _runs(root: Path) -> tuple[list[FinishedRun], list[Path]]:
 def _table(runs: Sequence[FinishedRun], root: Path, viewed: Callable[[str], str]) -> str:
     """One row a run: headlines of the method that it shows, above those of the mean pose."""
     results = {f"{k} {m}": own for k, run in enumerate(runs) for m, own in _shown(run).items()}
+    from silpose.evaluation import headlines  # loads scikit-learn: only once there is a run
+
     titles, values = headlines(results)
     by_name = {row[0]: row[1:] for row in values}
     head = "".join(f'<th class="word">{word}</th>' for word in ("", "run", "data", "method"))

@@ -23,6 +23,6 @@ def two_valued():
 def mixture():
     """A mixture of regressors that is fitted to examples of both branches."""
     z, x, _ = _two_valued(600)
-    return MixtureOfRegressors(
-        4, temperature=1.0, damping=0.1, floor=0.01, hellinger=False
-    ).fit(z, x)
+    return MixtureOfRegressors(4, temperature=1.0, damping=0.1, floor=0.01, hellinger=False).fit(
+        z, x
+    )

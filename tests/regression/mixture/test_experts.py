@@ -39,7 +39,9 @@ def test_the_m_step_fits_each_component_to_its_examples(fitted):
     for k, own in enumerate((branch, ~branch)):
         design = np.column_stack([z[own] - z[own].mean(axis=0), np.ones(own.sum())])
         expected = np.linalg.lstsq(design, x[own], rcond=None)[0]
-        assert np.vstack([experts.slopes[k], experts.offsets[k]]) == pytest.approx(expected, abs=1e-5)
+        assert np.vstack([experts.slopes[k], experts.offsets[k]]) == pytest.approx(
+            expected, abs=1e-5
+        )
         assert experts.centres[k] == pytest.approx(z[own].mean(axis=0))
         assert experts.spreads[k] == pytest.approx(z[own].var(axis=0), rel=1e-5)
 

@@ -60,7 +60,9 @@ def test_a_heading_is_never_averaged_across_the_circle():
     z = rng.uniform(-1, 1, (400, 2))
     theta = np.where(rng.random(400) < 0.5, 170, -20) + 15 * z[:, 0]  # past 180 and back at -180
     x = np.stack([np.cos(np.deg2rad(theta)), np.sin(np.deg2rad(theta))], axis=1)
-    mixture = MixtureOfRegressors(4, hellinger=False, temperature=1.0, damping=0.1, floor=0.02).fit(z, x)
+    mixture = MixtureOfRegressors(4, hellinger=False, temperature=1.0, damping=0.1, floor=0.02).fit(
+        z, x
+    )
     _, means, _ = mixture.predict_modes(z, 2)
     heading = np.rad2deg(np.arctan2(means[..., 1], means[..., 0]))
     off = (heading - theta[:, None] + 180) % 360 - 180
