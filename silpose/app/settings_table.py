@@ -38,10 +38,13 @@ def print_settings(wanted: Sequence[str] = (), overrides: Sequence[str] = ()) ->
     console = Console()
     if not wanted:
         console.print(_group_table(overrides))
+    chosen = False
     for group in wanted or [""]:
         for title, rows in tables(group.replace("/", "."), given).items():
             console.print(_table(title, rows))
-    console.print("[dim]A list in place of a single value: validation chooses from it.[/dim]")
+            chosen |= title in COMPONENTS and COMPONENTS[title].candidates
+    if chosen:
+        console.print("[dim]A list in place of a single value: validation chooses from it.[/dim]")
 
 
 def tables(group: str, given: Mapping[str, Any]) -> dict[str, list[Row]]:
