@@ -93,7 +93,7 @@ def _chosen(overrides: Sequence[str]) -> DictConfig:
 
 
 def check_overrides(settings: DictConfig, overrides: Sequence[str]) -> None:
-    """Refuse overrides that Hydra lets pass, but that nothing would heed: additions, deletions."""
+    """Refuse overrides that Hydra lets pass, but that nothing would read: additions, deletions."""
     for override in overrides:
         name = override.lstrip("+~").split("=")[0]
         if override == name or name == override.split("=")[0] or name.startswith("hydra."):

@@ -24,7 +24,7 @@ _OWN_FILES = ("silhouette.scenes",)  # parts that are chosen by themselves
 
 @cache
 def register() -> None:
-    """Give Hydra the schema, as configurations ``schema/…``."""
+    """Register the schema with Hydra, as configurations ``schema/…``."""
     store = ConfigStore.instance()
     for group, component in COMPONENTS.items():
         above, _, own = group.rpartition(".")

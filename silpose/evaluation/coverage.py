@@ -101,7 +101,7 @@ def coverage_by_limb(
     rows: list[Row] = []
     for part in ("body", *SPACE.parts):
         names = _joints_of(part)
-        own = [a for a, name in enumerate(SPACE.angle_names) if _joint(name) in names]
+        own = [a for a, name in enumerate(SPACE.angle_names) if SPACE.joint_of(name) in names]
         places = [j for j, name in enumerate(JOINTS[1:]) if name in names]
         covered = {
             "coverage_angles": angles[:, own],
@@ -122,8 +122,4 @@ def _half_width(level: float) -> float:
 def _joints_of(part: str) -> set[str]:
     if part == "body":
         return set(JOINTS)
-    return {_joint(SPACE.columns[c]) for c in SPACE.parts[part]}
-
-
-def _joint(angle: str) -> str:
-    return "root" if angle.startswith("heading") else angle.rpartition("_")[0]
+    return {SPACE.joint_of(SPACE.columns[c]) for c in SPACE.parts[part]}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import KW_ONLY, dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -19,22 +19,23 @@ from silpose.fitting.matching import Matching
 from silpose.fitting.overlap import outline_error
 from silpose.fitting.parameters import ANGLES, PARAMETERS, SHAPE
 from silpose.fitting.prior import PosePrior
-from silpose.fitting.problem import KNOWN, Problem
+from silpose.fitting.problem import KNOWN, SHIFT_DEVIATION, Problem
 from silpose.fitting.view import View
 from silpose.silhouette import Body, Camera
 
 Knowledge = Literal["known", "estimated"]
 
-# Standard deviations of what is not known: a frame's image shift and log scale, from where the
-# take's frames have them, as the person comes nearer; elevation and shape.
-_SHIFT, _SCALE, _ELEVATION_DEG, _SHAPE = 0.05, 0.03, 2.5, 0.7
+# Standard deviations of what is not known: a frame's log scale, from where the take's frames have
+# it, as the person comes nearer; elevation and shape.
+_SCALE, _ELEVATION_DEG, _SHAPE = 0.03, 2.5, 0.7
 _BARE = 0.5  # pixels that the outline is off up to which masks are those of a bare body
 
 
+@dataclass(frozen=True, eq=False)
 class BodyFitter:
     """Fits a body of rigid links to masks.
 
-    Parameters
+    Attributes
     ----------
     body : Body
         Of kind ``convex``. With an estimated shape, the one expected.
@@ -48,31 +49,20 @@ class BodyFitter:
         Whether frames are fitted together, as a take in which poses follow each other.
     iterations : int, default=10
         Gauss-Newton steps of each frame and start.
-    matching : Matching, optional
+    matching : Matching, default=Matching()
         How contours are compared; if the shape is estimated and no shape explains the masks as
         well as those of a bare body, with an allowance for clothes.
     """
 
-    def __init__(
-        self,
-        body: Body,
-        camera: Camera,
-        prior: PosePrior,
-        *,
-        camera_is: Knowledge = "known",
-        shape_is: Knowledge = "known",
-        whole_take: bool = True,
-        iterations: int = 10,
-        matching: Matching | None = None,
-    ) -> None:
-        self.body = body
-        self.camera = camera
-        self.prior = prior
-        self.camera_is = camera_is
-        self.shape_is = shape_is
-        self.whole_take = whole_take
-        self.iterations = iterations
-        self.matching = matching or Matching()
+    body: Body
+    camera: Camera
+    prior: PosePrior
+    _: KW_ONLY
+    camera_is: Knowledge = "known"
+    shape_is: Knowledge = "known"
+    whole_take: bool = True
+    iterations: int = 10
+    matching: Matching = field(default_factory=Matching)
 
     def fit(
         self,
@@ -156,7 +146,7 @@ class BodyFitter:
             return np.empty(0)
         free = np.full(PARAMETERS - ANGLES, KNOWN)
         if self.camera_is == "estimated":
-            shift = _SHIFT * self.camera.height
+            shift = SHIFT_DEVIATION * self.camera.height
             deviations = [shift, shift, _SCALE, np.deg2rad(_ELEVATION_DEG)]
             free[: SHAPE - ANGLES] = 1 / np.square(deviations)
         if self.shape_is == "estimated":

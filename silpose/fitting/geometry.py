@@ -83,11 +83,3 @@ def geometry_of(body: Body) -> Geometry:
         np.stack([other.points - links.points for other in shifted]),
         links.counts,
     )
-
-
-def with_shape(geometry: Geometry, shape: Array) -> Geometry:
-    """Change the body's shape by coefficients (10,), in standard deviations."""
-    return geometry._replace(
-        offsets=geometry.offsets + np.tensordot(shape, geometry.offset_slopes, 1),
-        points=geometry.points + np.tensordot(shape, geometry.point_slopes, 1),
-    )

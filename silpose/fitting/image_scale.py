@@ -10,11 +10,11 @@ from silpose.fitting.contour import Contour
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.overlap import aligned
 from silpose.fitting.parameters import ANGLES, LOG_SCALE, PARAMETERS
-from silpose.fitting.problem import KNOWN
+from silpose.fitting.problem import KNOWN, SHIFT_DEVIATION
 from silpose.fitting.view import View
 
-# Standard deviations: shift in image heights; logarithm of the scale in the first frame and later.
-_SHIFT, _SCALE, _LEAST_SCALE = 0.05, 0.1, 0.01
+# Standard deviations of the logarithm of the scale, in the first frame and later.
+_SCALE, _LEAST_SCALE = 0.1, 0.01
 
 
 class ImageScale:
@@ -52,7 +52,7 @@ class ImageScale:
 
         Elevation and shape are those that the fitter has.
         """
-        shift = _SHIFT * self._height
+        shift = SHIFT_DEVIATION * self._height
         scale = max(_SCALE / float(np.sqrt(1 + self._frames)), _LEAST_SCALE)
         free = np.full(PARAMETERS - ANGLES, KNOWN)
         free[: LOG_SCALE + 1 - ANGLES] = 1 / np.square([shift, shift, scale])

@@ -8,25 +8,24 @@ import numpy as np
 
 from silpose.core.types import Array, Mask
 from silpose.fitting.contour import SPACING, Contour
-from silpose.fitting.geometry import Geometry, with_shape
+from silpose.fitting.geometry import Geometry
 from silpose.fitting.kinematics import pose_tree
-from silpose.fitting.parameters import ANGLES, ELEVATION, LOG_SCALE, SHAPE, SHIFT_X, SHIFT_Y
+from silpose.fitting.parameters import ANGLES, LOG_SCALE, SHIFT_X, SHIFT_Y, seen_by, shaped_by
 from silpose.fitting.view import View
 from silpose.silhouette import fill_pieces
 
 
 def projected_links(parameters: Array, root: Array, geometry: Geometry, view: View) -> Array:
-    """Project the links' points of the body that parameters (68,) describe, shape (L, K, 2)."""
-    shaped = with_shape(geometry, parameters[SHAPE:])
+    """Project the links' points of the body that parameters (P,) describe, shape (L, K, 2)."""
+    shaped, seen = shaped_by(parameters, geometry), seen_by(parameters, view)
     rotations, positions, _ = pose_tree(parameters[:ANGLES], shaped)
     turned = shaped.points @ np.swapaxes(rotations[shaped.nodes], 1, 2)
     x, y, z = np.moveaxis(turned + positions[shaped.nodes][:, None] + root, -1, 0)
-    elevation = view.elevation + parameters[ELEVATION]
-    sine, cosine = np.sin(elevation), np.cos(elevation)
-    unit = exp(view.log_scale + parameters[LOG_SCALE]) * view.focal
-    unit = unit / np.maximum(view.distance - sine * y - cosine * z, 1e-3)
-    across = unit * x + view.centre_x + view.shift_x + parameters[SHIFT_X]
-    down = unit * (sine * z - cosine * y) + view.centre_y + view.shift_y + parameters[SHIFT_Y]
+    sine, cosine = np.sin(seen.elevation), np.cos(seen.elevation)
+    unit = exp(seen.log_scale) * seen.focal
+    unit = unit / np.maximum(seen.distance - sine * y - cosine * z, 1e-3)
+    across = unit * x + seen.centre_x + seen.shift_x
+    down = unit * (sine * z - cosine * y) + seen.centre_y + seen.shift_y
     flat = np.stack([across, down], axis=-1)
     for link, count in enumerate(shaped.counts):  # padding repeats a point of the link's own
         flat[link, count:] = flat[link, 0]
@@ -36,7 +35,7 @@ def projected_links(parameters: Array, root: Array, geometry: Geometry, view: Vi
 def silhouette_of(
     parameters: Array, root: Array, geometry: Geometry, view: View, height: int, width: int
 ) -> Mask:
-    """Fill the silhouette of the body that parameters (68,) describe."""
+    """Fill the silhouette of the body that parameters (P,) describe."""
     flat = projected_links(parameters, root, geometry, view)
     return fill_pieces(flat.astype(np.float32), height, width)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -101,7 +102,7 @@ class PosePrior:
         degrees += 2 * _CHANGE_DEG**2 * np.eye(54)
         return np.deg2rad(np.deg2rad(degrees))
 
-    @property
+    @cached_property
     def precision(self) -> Array:
         """Inverse of the covariance, per radian², shape (54, 54)."""
         return np.linalg.inv(np.deg2rad(np.deg2rad(self.covariance)))

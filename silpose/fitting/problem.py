@@ -35,6 +35,8 @@ from silpose.fitting.view import View
 
 KNOWN = 1e12
 """Precision of what is not to change."""
+SHIFT_DEVIATION = 0.05
+"""Standard deviation of a frame's image shift where the camera is not known, in image heights."""
 INDEPENDENT_FRAMES = 5
 """Frames of a take whose misfits count as independent for what all frames share."""
 
@@ -149,9 +151,8 @@ class Problem:
 
     def overlaps(self, parameters: Array) -> Array:
         """Overlap of the body that parameters (n, P) describe with the mask of each frame."""
-        every = _complete(parameters)
-        iou = np.empty(len(every))
-        for k, (own, frame) in enumerate(zip(every, self.frames, strict=True)):
+        iou = np.empty(len(parameters))
+        for k, (own, frame) in enumerate(zip(parameters, self.frames, strict=True)):
             size, root = np.shape(self.masks[frame]), self.roots[frame]
             fitted = silhouette_of(own, root, self.geometry, self.view, *size)
             iou[k] = overlap(fitted, self.masks[frame])
@@ -206,7 +207,7 @@ class Problem:
         x[self.frames], scale[self.frames] = _poses(every), np.exp(every[:, LOG_SCALE])
         shift[self.frames] = every[:, [SHIFT_X, SHIFT_Y]]
         spread[self.frames] = np.rad2deg(np.rad2deg(covariance))
-        iou[self.frames] = self.overlaps(every)
+        iou[self.frames] = self.overlaps(parameters)
         deviation = np.zeros(count)
         deviation[self.frames] = self.deviations(parameters)
         for frame, found in zip(self.frames, modes, strict=True):

@@ -27,7 +27,7 @@ from silpose.fitting.geometry import geometry_of
 from silpose.fitting.image_scale import ImageScale
 from silpose.fitting.likelihood import misfit_of
 from silpose.fitting.overlap import overlap, silhouette_of
-from silpose.fitting.parameters import ANGLES, PARAMETERS, difference
+from silpose.fitting.parameters import ANGLES, difference
 
 TOLERATED = 0.75
 """Share of the usual overlap of body and mask below which the person counts as lost."""
@@ -188,8 +188,7 @@ class FitterStream:
         parameters, hessian, _ = fit_frame(
             angles, mean, precision, seen.root, seen.contour, *body, iterations
         )
-        every = np.pad(parameters, (0, PARAMETERS - len(parameters)))
-        filled = silhouette_of(every, seen.root, *body[:2], *seen.mask.shape)
+        filled = silhouette_of(parameters, seen.root, *body[:2], *seen.mask.shape)
         return _End(parameters, hessian, overlap(filled, seen.mask), start is None)
 
     def _cost(self, end: _End, seen: _Seen) -> float:

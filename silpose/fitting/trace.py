@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -67,8 +67,9 @@ def trace_frame(
     """
     place = np.zeros((1, 3)) if root is None else np.asarray(root, dtype=float)[None]
     poses = np.asarray(start, dtype=float)[None]
+    alone = replace(fitter, whole_take=False)
     fits = [
-        _stopped_after(fitter, k).fit([mask], poses, roots=place)
+        replace(alone, iterations=k).fit([mask], poses, roots=place)
         for k in range(fitter.iterations + 1)
     ]
     contour, geometry = contour_of(mask), geometry_of(fitter.body)
@@ -85,17 +86,4 @@ def trace_frame(
         [fitted_silhouettes(fitter, fit, place)[0] for fit in fits],
         np.concatenate([fit.iou for fit in fits]),
         np.array(costs),
-    )
-
-
-def _stopped_after(fitter: BodyFitter, iterations: int) -> BodyFitter:
-    return BodyFitter(
-        fitter.body,
-        fitter.camera,
-        fitter.prior,
-        camera_is=fitter.camera_is,
-        shape_is=fitter.shape_is,
-        whole_take=False,
-        iterations=iterations,
-        matching=fitter.matching,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -114,10 +114,9 @@ class PoseFitter:
         fitter = self.fitter
         lasting = fitter.prior.lasting if options.lasting is None else options.lasting
         prior = replace(fitter.prior, lasting=lasting, seconds=options.seconds)
-        changed = BodyFitter(
-            fitter.body, fitter.camera, prior, camera_is=options.camera, shape_is=options.shape,
+        changed = replace(
+            fitter, prior=prior, camera_is=options.camera, shape_is=options.shape,
             whole_take=options.whole_take, iterations=options.iterations,
-            matching=fitter.matching,
         )  # fmt: skip
         return replace(self, fitter=changed, starts=options.starts)
 
@@ -130,9 +129,7 @@ class PoseFitter:
         height, width = shape
         if (height, width) == (fitter.camera.height, fitter.camera.width):
             return fitter
-        camera = replace(fitter.camera, height=height, width=width)
-        choices: dict[str, Any] = {name: getattr(fitter, name) for name in _CHOICES}
-        return BodyFitter(fitter.body, camera, fitter.prior, matching=fitter.matching, **choices)
+        return replace(fitter, camera=replace(fitter.camera, height=height, width=width))
 
     def to_arrays(self) -> State:
         """Return everything as arrays, numbers and strings."""

@@ -45,13 +45,14 @@ class AnglePoseSpace(PoseSpace):
             "right_leg": tuple(j for j in skeleton.JOINTS[15:18]),
         }
         self.parts = {
-            part: np.array([c for c, n in enumerate(self.columns) if self._joint(n) in joints])
+            part: np.array([c for c, n in enumerate(self.columns) if self.joint_of(n) in joints])
             for part, joints in joints_of.items()
         }
         self.units = metric_units(self.columns)
 
     @staticmethod
-    def _joint(column: str) -> str:
+    def joint_of(column: str) -> str:
+        """Name the joint that a column, or an angle, belongs to."""
         return "root" if column.startswith("heading") else column.rsplit("_", 1)[0]
 
     def angles(self, x: ArrayLike) -> Array:
