@@ -127,9 +127,9 @@ def _mean_pose(training: FitterTraining, frames: int) -> tuple[Array, Array]:
 
 def _prior_of_poses(training: FitterTraining) -> PosePrior:
     """Prior whose covariance is that of training poses around their mean."""
-    angles = ANGLES.angles(training.described.joined("train")[1])
-    mean = ANGLES.angles(training.described.joined("train")[1].mean(axis=0))
-    off = wrap_degrees(angles - mean)
+    x = training.described.joined("train")[1]
+    mean = ANGLES.angles(x.mean(axis=0))
+    off = wrap_degrees(ANGLES.angles(x) - mean)
     own = training.prior
     return PosePrior(
         off.T @ off / len(off) + np.eye(len(mean)), own.change, own.lasting, own.seconds

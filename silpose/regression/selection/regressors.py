@@ -9,8 +9,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from silpose.core.errors import InputError
 from silpose.core.parallel import parallel_map
+from silpose.core.parameters import NOT_NEGATIVE, check_values
 from silpose.core.types import Examples, Row, Settings
 from silpose.regression.basis import Basis
 from silpose.regression.mixture.mixture import MixtureOfRegressors
@@ -57,8 +57,7 @@ class RegressionCandidates:
     slack: float = 0.03
 
     def __post_init__(self) -> None:
-        if not self.slack >= 0:
-            raise InputError(f"slack must be zero or positive, not {self.slack}")
+        check_values("slack", NOT_NEGATIVE, self.slack)
 
 
 @dataclass(frozen=True)
