@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from silpose.dataset import Take
 from silpose.fitting import BodyFitter, Fit, FitterStream, PosePrior, overlap
 from silpose.model import FitterTraining
 from silpose.silhouette import Body, Camera, render
+from silpose.tracking import Track
 
 _TURNS = np.arange(45, 360, 45)  # degrees from the mean heading, of further starts without any z
 
@@ -49,40 +51,50 @@ class FittedTake:
 
 @timed("fitting")
 def fit_in_every_way(
-    training: FitterTraining, take: Take, z: Array, tracked: Array, camera: Camera
+    training: FitterTraining,
+    take: Take,
+    z: Array,
+    tracked: Array,
+    camera: Camera,
+    hypotheses: Track | None = None,
 ) -> dict[str, FittedTake]:
     """Fit a take by all methods.
 
     Parameters
     ----------
     training : FitterTraining
+        With a tracker.
     take : Take
         With masks.
     z : ndarray, shape (F, d)
         Its descriptors.
     tracked : ndarray, shape (F, 55)
-        A tracker's estimates, to start from as well.
+        The tracker's estimates.
     camera : Camera
         Camera that is expected where the take's own is not told.
+    hypotheses : Track, optional
+        Of a tracker that carries several hypotheses, with their poses.
 
     Returns
     -------
     fitted : dict of FittedTake
-        By method: ``fitted`` is frame by frame, ``fitted_live`` sees no later frame,
-        ``fitted_take`` fits all frames together, ``fitted_take_estimated`` without knowing camera,
-        place and body shape. ``fitted_from_tracker`` starts from a tracker,
-        ``fitted_from_mean_pose`` from no estimate at all; otherwise both are as ``fitted_take``.
+        By method: ``fitted`` is frame by frame, ``fitted_live`` sees no later frame, both from the
+        regressor. ``fitted_take`` fits all frames together, from the tracker,
+        ``fitted_take_estimated`` without knowing camera, place and body shape. As ``fitted_take``
+        but from other starts are ``fitted_from_ridge``, ``fitted_from_hypotheses``, and
+        ``fitted_from_mean_pose``, from no estimate at all.
     """
     masks, rate, own = list(take.mask_array()), take.frames_per_second, take.camera_or(camera)
-    mean, others = training.starts(z)
-    alone = training.fitter(camera=own, camera_is="known", shape_is="known", whole_take=False)
-    together = training.fitter(camera=own, camera_is="known", shape_is="known", whole_take=True)
-    untold = training.fitter(
-        camera=camera, camera_is="estimated", shape_is="estimated", whole_take=True
-    )
+    mean, neighbours = training.starts(z)
+    others = np.concatenate([mean[:, None], neighbours], axis=1)
+    told: dict[str, Any] = {"camera": own, "camera_is": "known", "shape_is": "known"}
+    untold: dict[str, Any] = {"camera": camera, "camera_is": "estimated", "shape_is": "estimated"}
+    alone = training.fitter(**told, whole_take=False)
+    from_ridge = training.fitter(**told, whole_take=True)
+    together = training.fitter(**told, whole_take=True, prior=training.tracked_prior)
+    estimated = training.fitter(**untold, whole_take=True, prior=training.tracked_prior)
+    uninformed = training.fitter(**told, whole_take=True, prior=_prior_of_poses(training))
     poses, turned = _mean_pose(training, len(z))
-    prior = _prior_of_poses(training)
-    uninformed = BodyFitter(together.body, own, prior, iterations=together.iterations)
 
     def fitted(
         fitter: BodyFitter, start: Array, others: Array, roots: Array | None = take.offset
@@ -90,14 +102,18 @@ def fit_in_every_way(
         fit = fitter.fit(masks, start, others=others, roots=roots, frames_per_second=rate)
         return FittedTake.of_fit(fit, start)
 
-    return {
-        "fitted": fitted(alone, mean, others),
+    found = {
+        "fitted": fitted(alone, mean, neighbours),
         "fitted_live": _live(training, alone, take, mean),
-        "fitted_take": fitted(together, mean, others),
-        "fitted_take_estimated": fitted(untold, mean, others, None),
-        "fitted_from_tracker": fitted(together, tracked, others),
+        "fitted_take": fitted(together, tracked, others),
+        "fitted_take_estimated": fitted(estimated, tracked, others, None),
+        "fitted_from_ridge": fitted(from_ridge, mean, neighbours),
         "fitted_from_mean_pose": fitted(uninformed, poses, turned),
     }
+    if hypotheses is not None:
+        assert hypotheses.means is not None
+        found["fitted_from_hypotheses"] = fitted(together, hypotheses.x, hypotheses.means)
+    return found
 
 
 def _live(training: FitterTraining, fitter: BodyFitter, take: Take, start: Array) -> FittedTake:

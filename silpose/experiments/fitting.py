@@ -17,6 +17,7 @@ from silpose.evaluation import baselines, coverage_by_limb, error_rows, twist_er
 from silpose.experiments.fitted_takes import FittedTake, fit_in_every_way
 from silpose.experiments.fitting_figure import fitting_figure
 from silpose.experiments.setup import (
+    MODES_SHOWN,
     Components,
     prepare_fitting,
     prepare_tracking,
@@ -27,16 +28,20 @@ from silpose.fitting import Trace, trace_frame
 from silpose.model import FitterTraining, TrackerTraining
 from silpose.recording import GroundTruth, Header, Recording, Result, record_fitting
 from silpose.silhouette import Body, Camera, render
-from silpose.tracking import GIVEN
+from silpose.tracking import GIVEN, Track
 
 BEFORE, AFTER = "ridge", "fitted_take"
 """Methods that the figure and the recording compare."""
 
 
 def fitting(
-    components: Components, *, validation_every: int = 4, traced: int | None = None
+    components: Components,
+    *,
+    validation_every: int = 4,
+    traced: int | None = None,
+    hypotheses: bool = True,
 ) -> Result:
-    """Fit the body to every silhouette of unseen takes, from regression and from a tracker.
+    """Fit the body to every silhouette of unseen takes, from regression and from trackers.
 
     Parameters
     ----------
@@ -46,6 +51,9 @@ def fitting(
     traced : int, optional
         Frame of the first test take whose iterations are recorded; by default the one whose error
         falls most.
+    hypotheses : bool, default=True
+        Whether to start from the tracker of several hypotheses, too, whose mixture takes a while to
+        choose.
 
     See Also
     --------
@@ -58,8 +66,8 @@ def fitting(
     take = described.data.test[0]
     if traced is not None and not 0 <= traced < len(take):
         raise InputError(f"traced={traced} is no frame of '{take.name}', which has {len(take)}")
-    fits = prepare_fitting(components, described, training.ridge)
-    takes = _all_methods(training, fits, components.camera)
+    fits = prepare_fitting(components, described, training.ridge, training.tracker)
+    takes = _all_methods(training, fits, components.camera, hypotheses)
     metrics = _measure(training, takes)
     first = {method: own[0] for method, own in takes.items()}
     camera = take.camera_or(components.camera)
@@ -85,7 +93,7 @@ def fitting(
 
 
 def _all_methods(
-    training: TrackerTraining, fits: FitterTraining, camera: Camera
+    training: TrackerTraining, fits: FitterTraining, camera: Camera, hypotheses: bool
 ) -> dict[str, list[FittedTake]]:
     """Poses of each test take by all methods, baselines included."""
     described, tracker = training.described, training.tracker
@@ -96,6 +104,9 @@ def _all_methods(
             "tracker_lag": lambda z, _: tracker.track(z, lag=training.lag).x,
         }
     )
+    several = _hypotheses(training) if hypotheses else [None] * len(described.test)
+    if hypotheses:
+        tracks["hypotheses_lag"] = [track.x for track in several if track is not None]
     z_train, x_train = described.joined("train")
     takes: dict[str, list[FittedTake]] = {}
     for k, (take, (z, x)) in enumerate(zip(described.data.test, described.test, strict=True)):
@@ -105,10 +116,17 @@ def _all_methods(
         of_take = {
             m: FittedTake.of_poses(e, take, fits.body, seen_by) for m, e in estimates.items()
         }
-        of_take |= fit_in_every_way(fits, take, z, tracks["tracker_lag"][k], camera)
+        of_take |= fit_in_every_way(fits, take, z, tracks["tracker_lag"][k], camera, several[k])
         for method, own in of_take.items():
             takes.setdefault(method, []).append(own)
     return takes
+
+
+@timed("tracking")
+def _hypotheses(training: TrackerTraining) -> list[Track | None]:
+    """Track each test take with several hypotheses."""
+    tracker, lag = training.hypotheses, training.lag
+    return [tracker.track(z, lag=lag, modes=MODES_SHOWN) for z, _ in training.described.test]
 
 
 def _measure(training: TrackerTraining, takes: Mapping[str, Sequence[FittedTake]]) -> Metrics:

@@ -114,7 +114,8 @@ def _fit(
             + ("are they masks of one whole person?" if free else _ESTIMATE),
             stacklevel=2,
         )
-    return replace(details, x=fit.x), Poses(fit.x, model.space, fit.iou, fit.state)
+    poses = Poses(fit.x, model.space, fit.iou, fit.state, fit.confidence)
+    return replace(details, x=fit.x), poses
 
 
 def _table(names: Sequence[str], poses: Poses) -> list[list[object]]:
@@ -123,6 +124,7 @@ def _table(names: Sequence[str], poses: Poses) -> list[list[object]]:
         *("frame", "file"),
         *(["state"] if poses.state else []),
         *(["iou"] if poses.iou is not None else []),
+        *(["confidence"] if poses.confidence is not None else []),
         *("heading_deg", "heading_norm"),
         *(f"{column}_deg" for column in poses.space.columns[2:]),
         *(f"{joint}_{axis}_m" for joint in poses.space.joint_names for axis in "xyz"),
@@ -132,6 +134,6 @@ def _table(names: Sequence[str], poses: Poses) -> list[list[object]]:
     table = [titles]
     for frame, (name, row) in enumerate(zip(names, numbers, strict=True)):
         state = [poses.state[frame]] if poses.state else []
-        iou = [] if poses.iou is None else [f"{poses.iou[frame]:.6g}"]
-        table.append([frame, name, *state, *iou, *(f"{value:.6g}" for value in row)])
+        fit = [own[frame] for own in (poses.iou, poses.confidence) if own is not None]
+        table.append([frame, name, *state, *(f"{value:.6g}" for value in (*fit, *row))])
     return table

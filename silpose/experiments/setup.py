@@ -20,7 +20,7 @@ from silpose.model import (
 )
 from silpose.regression import RegressionCandidates, Regressor
 from silpose.silhouette import Camera, MaskFiles
-from silpose.tracking import TrackingCandidates
+from silpose.tracking import Tracker, TrackingCandidates
 
 MODES_SHOWN = 4
 """Modes of p(x|z) in a recording."""
@@ -90,7 +90,10 @@ def prepare_tracking(components: Components) -> TrackerTraining:
 
 
 def prepare_fitting(
-    components: Components, described: DescribedDataset, regressor: Regressor
+    components: Components,
+    described: DescribedDataset,
+    regressor: Regressor,
+    tracker: Tracker | None = None,
 ) -> FitterTraining:
     """Prepare what a fitter is trained with.
 
@@ -100,20 +103,31 @@ def prepare_fitting(
     described : DescribedDataset
     regressor : Regressor
         Fitted; its estimates are what fits start from.
+    tracker : Tracker, optional
+        Fitted; then whole takes start from its estimates.
     """
     renderer = renderer_of(components, "fitting")
     return FitterTraining.of(
-        described, regressor, components.fitting, renderer.body, components.camera
+        described,
+        regressor,
+        components.fitting,
+        renderer.body,
+        components.camera,
+        tracker,
+        round(components.tracking.lag * described.frames_per_second),
     )
 
 
 def fitter_of_model(
-    components: Components, described: DescribedDataset, regressor: Regressor
+    components: Components,
+    described: DescribedDataset,
+    regressor: Regressor,
+    tracker: Tracker | None = None,
 ) -> PoseFitter | None:
     """Train the fitter that a model keeps; none unless fitting is enabled."""
     if not components.fitting.enabled:
         return None
-    return prepare_fitting(components, described, regressor).pose_fitter
+    return prepare_fitting(components, described, regressor, tracker).pose_fitter
 
 
 def want_masks(takes: Sequence[Take], experiment: str) -> None:

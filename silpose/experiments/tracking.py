@@ -61,7 +61,7 @@ def tracking(components: Components) -> Result:
         space=space,
     )
     headline = training.validation_error("tracker")
-    fitter = fitter_of_model(components, described, training.ridge)
+    fitter = fitter_of_model(components, described, training.ridge, training.tracker)
     return Result(
         described.data.name,
         metrics,

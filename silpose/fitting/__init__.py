@@ -1,7 +1,9 @@
 """Fit the body to the contour of a mask, started and held by an estimated pose."""
 
-from silpose.fitting.body_fitter import BodyFitter
+from silpose.fitting.body_fitter import BodyFitter, Knowledge
+from silpose.fitting.confidence import HEADING_DEG, JOINTS_MM, Confidence
 from silpose.fitting.contour import contour_of
+from silpose.fitting.evidence import EVIDENCE
 from silpose.fitting.fit import Fit
 from silpose.fitting.fitted_body import fitted_silhouettes, overlap_classes
 from silpose.fitting.matching import Matching
@@ -12,11 +14,16 @@ from silpose.fitting.stream import TOLERATED, FitterStream
 from silpose.fitting.trace import Trace, trace_frame
 
 __all__ = [
+    "EVIDENCE",
+    "HEADING_DEG",
+    "JOINTS_MM",
     "TOLERATED",
     "BodyFitter",
+    "Confidence",
     "Fit",
     "FitterStream",
     "FittingOptions",
+    "Knowledge",
     "Matching",
     "PosePrior",
     "Trace",

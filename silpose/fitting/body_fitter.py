@@ -12,7 +12,9 @@ from numpy.typing import ArrayLike
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES as SPACE
 from silpose.core.types import Array, Mask
-from silpose.fitting.contour import contour_of
+from silpose.fitting.answer import answer_of
+from silpose.fitting.carried import with_carried
+from silpose.fitting.confidence import Confidence
 from silpose.fitting.fit import Fit
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.matching import Matching
@@ -21,6 +23,7 @@ from silpose.fitting.parameters import ANGLES, PARAMETERS, SHAPE
 from silpose.fitting.prior import PosePrior
 from silpose.fitting.problem import KNOWN, SHIFT_DEVIATION, Problem
 from silpose.fitting.view import View
+from silpose.fitting.working_size import WorkingSize, expected_height, seen_height
 from silpose.silhouette import Body, Camera
 
 Knowledge = Literal["known", "estimated"]
@@ -52,6 +55,8 @@ class BodyFitter:
     matching : Matching, default=Matching()
         How contours are compared; if the shape is estimated and no shape explains the masks as
         well as those of a bare body, with an allowance for clothes.
+    confidence : Confidence, default=Confidence()
+        How the probability that a pose is right is read from the evidence.
     """
 
     body: Body
@@ -63,6 +68,7 @@ class BodyFitter:
     whole_take: bool = True
     iterations: int = 10
     matching: Matching = field(default_factory=Matching)
+    confidence: Confidence = field(default_factory=Confidence)
 
     def fit(
         self,
@@ -94,7 +100,8 @@ class BodyFitter:
         -------
         fit : Fit
         """
-        starts = _parameters_of(start, others, len(self._free))
+        known = self.camera_is == self.shape_is == "known"
+        starts = _parameters_of(start, others, 0 if known else PARAMETERS - ANGLES)
         places = np.zeros((len(starts), 3)) if roots is None else np.asarray(roots, dtype=float)
         if not len(masks) == len(starts) == len(places):
             raise InputError(
@@ -107,13 +114,16 @@ class BodyFitter:
                 f"a mask has shape {wrong[0]} where the camera's is {size}: fit with "
                 f"Camera(width={wrong[0][1]}, height={wrong[0][0]})"
             )
-        contours = [contour_of(mask) for mask in masks]
+        working = self.working_size(masks)
+        sized = [working.mask(mask) for mask in masks]
+        contours = [working.contour(mask) for mask in sized]
         seen = np.array([len(c.pixels) > 0 for c in contours]) & np.isfinite(starts[:, 0, 0])
         if not seen.any():
             raise InputError("no frame has both a person and an estimated pose to start from")
         problem = Problem(
-            geometry_of(self.body), self.view, self.matching, self.prior, self._free, starts,
-            places, masks, contours, np.flatnonzero(seen), self.iterations,
+            geometry_of(self.body), working, self.view, self.matching, self.prior,
+            self._free_at(working), starts, places, sized, contours, np.flatnonzero(seen),
+            self.iterations,
         )  # fmt: skip
         if self.camera_is == "estimated":
             problem = problem.with_aligned_starts()
@@ -125,10 +135,12 @@ class BodyFitter:
 
     def _solve(self, problem: Problem, step_seconds: float) -> Fit:
         modes = problem.modes()
+        if self.whole_take:
+            modes = with_carried(problem, modes)
         parameters, covariance = problem.path_through(modes, step_seconds)
         if self.whole_take:
             parameters, covariance = problem.together(parameters, step_seconds)
-        return problem.fit_of(parameters, covariance, modes)
+        return answer_of(problem, parameters, covariance, modes, self.confidence)
 
     @property
     def view(self) -> View:
@@ -139,14 +151,20 @@ class BodyFitter:
             (camera.width - 1) / 2, (camera.height - 1) / 2,
         )  # fmt: skip
 
-    @property
-    def _free(self) -> Array:
+    def working_size(self, masks: Sequence[Mask]) -> WorkingSize:
+        """Size at which masks are compared: by the camera, or by what they show if it is free."""
+        tall = expected_height(self.camera)
+        if self.camera_is == "estimated":
+            tall = seen_height(masks) or tall
+        return WorkingSize.for_person(self.camera, tall)
+
+    def _free_at(self, working: WorkingSize) -> Array:
         """Precision of image shift, log scale, elevation and shape; empty if all are known."""
         if self.camera_is == self.shape_is == "known":
             return np.empty(0)
         free = np.full(PARAMETERS - ANGLES, KNOWN)
         if self.camera_is == "estimated":
-            shift = SHIFT_DEVIATION * self.camera.height
+            shift = SHIFT_DEVIATION * working.factor * self.camera.height
             deviations = [shift, shift, _SCALE, np.deg2rad(_ELEVATION_DEG)]
             free[: SHAPE - ANGLES] = 1 / np.square(deviations)
         if self.shape_is == "estimated":
@@ -157,7 +175,10 @@ class BodyFitter:
 def _outline_error(problem: Problem, fit: Fit) -> float:
     """Pixels by which the outline is off in the median frame."""
     errors = [
-        outline_error(fit.iou[f], problem.masks[f], problem.contours[f]) for f in problem.frames
+        outline_error(
+            fit.iou[f], problem.masks[f], problem.contours[f], problem.working.enlargement
+        )
+        for f in problem.frames
     ]
     return float(np.median(errors))
 

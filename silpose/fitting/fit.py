@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from silpose.core.types import Array
+from silpose.fitting.confidence import DOUBTFUL
 
 
 @dataclass(frozen=True, eq=False)
@@ -19,9 +20,12 @@ class Fit:
         Of the angles, degrees².
     iou : ndarray, shape (F,)
         Intersection over union of the fitted body's silhouette and the mask.
+    confidence : ndarray, shape (F,)
+        Probability that the heading is within 45 degrees and the joints within 120 mm; 0 where
+        there was nothing to fit to.
     state : list of str
-        ``fitted``; ``poor`` where the outline explains the mask badly, or only by a pose that is
-        far from the estimate; ``blank`` where there was nothing to fit to.
+        ``fitted``; ``poor`` where the confidence is below a half; ``blank`` where there was nothing
+        to fit to.
     shift : ndarray, shape (F, 2)
         Pixels by which the image is moved from where the camera would see the root.
     scale : ndarray, shape (F,)
@@ -34,11 +38,14 @@ class Fit:
         Where the starts of each frame lead by itself, the most probable first; NaN is none.
     mode_weights : ndarray, shape (F, k)
         Their probabilities; 0 where there is none.
+    evidence : ndarray, shape (F, 9)
+        What the confidence is read from, see `EVIDENCE`; NaN where there was nothing to fit to.
     """
 
     x: Array
     covariance: Array
     iou: Array
+    confidence: Array
     state: list[str]
     shift: Array
     scale: Array
@@ -46,25 +53,16 @@ class Fit:
     shape: Array
     modes: Array
     mode_weights: Array
+    evidence: Array
 
 
-POOR = 0.7
-"""Overlap below which a fit is poor: on masks of its own body it is above 0.95."""
 FAR = 3.0
-"""Deviation from the estimate above which a fit is poor: of unseen performers it is below 1.5."""
+"""Deviation from the estimate above which a frame is no evidence: of unseen performers it is below
+1.5."""
 
 
-def state_of(iou: float, deviation: float) -> str:
-    """Name the state of a frame.
-
-    Parameters
-    ----------
-    iou : float
-        Overlap of body and mask; NaN is blank.
-    deviation : float
-        Root mean square of the pose's deviation from the estimate, in the standard deviations of
-        such estimates, the heading left out: it is at times quite wrong.
-    """
+def state_of(iou: float, confidence: float) -> str:
+    """Name the state of a frame by its overlap, of which NaN is blank, and its confidence."""
     if not iou >= 0:
         return "blank"
-    return "fitted" if iou >= POOR and deviation <= FAR else "poor"
+    return "fitted" if confidence >= DOUBTFUL else "poor"

@@ -14,6 +14,9 @@ from silpose.fitting.matching import Matching
 from silpose.fitting.parameters import CONVERGED, difference, take_step
 from silpose.fitting.view import View
 
+_WIDEST = 2.0  # factor of the outlier scale at first
+_NARROWING = 2.0  # iterations until it is smaller by 1
+
 
 @njit(cache=True, nogil=True)
 def fit_frame(
@@ -28,6 +31,9 @@ def fit_frame(
     iterations: int,
 ) -> tuple[Array, Array, float]:
     """Minimise misfit of contours and distance from the prior.
+
+    At first, what is far away pulls more than it does in the end [1]_: so a limb is drawn to its
+    contour from farther off.
 
     Parameters
     ----------
@@ -49,18 +55,69 @@ def fit_frame(
         Of the last step: the inverse of the posterior covariance.
     cost : float
         Minus twice the log posterior density, up to a constant.
+
+    References
+    ----------
+    .. [1] A. Blake and A. Zisserman, Visual Reconstruction, MIT Press, 1987.
     """
     parameters = start.copy()
     hessian = precision.copy()
-    for _ in range(iterations):
+    for k in range(iterations):
         hessian = precision.copy()
         gradient = precision @ difference(mean, parameters)
-        add_evidence(parameters, root, contour, geometry, view, matching, hessian, gradient)
+        wide = max(1.0, _WIDEST - k / _NARROWING)
+        used = _widened(matching, wide)
+        add_evidence(parameters, root, contour, geometry, view, used, hessian, gradient)
         add_limits(parameters, hessian, gradient)
         step = np.linalg.solve(hessian, gradient).astype(np.float64)
-        if take_step(parameters, step) < CONVERGED:
+        if take_step(parameters, step) < CONVERGED and wide == 1.0:
             break
     off = difference(mean, parameters)
     cost = misfit_of(parameters, root, contour, geometry, view, matching)
     cost += add_limits(parameters, np.zeros_like(hessian), np.zeros_like(off))
     return parameters, hessian, cost + (off * (precision @ off)).sum()
+
+
+@njit(cache=True, nogil=True)
+def _widened(matching: Matching, factor: float) -> Matching:
+    return Matching(
+        matching.normal_weight, factor * matching.outlier_scale, matching.independent_points,
+        matching.outside,
+    )  # fmt: skip
+
+
+@njit(cache=True, nogil=True)
+def cost_of_turning(
+    parameters: Array,
+    mean: Array,
+    precision: Array,
+    root: Array,
+    contour: Contour,
+    geometry: Geometry,
+    view: View,
+    matching: Matching,
+    iterations: int,
+) -> float:
+    """Find how much worse a fit is that starts from a pose turned around.
+
+    Parameters
+    ----------
+    parameters : ndarray, shape (P,)
+        Fitted.
+    mean, precision, root, contour, geometry, view, matching, iterations
+        As for `fit_frame`; the mean's heading is taken to be that of either start.
+
+    Returns
+    -------
+    cost : float
+        Difference of minus twice the log posterior densities; negative if the turned pose explains
+        the contour better.
+    """
+    own, turned, start = mean.copy(), mean.copy(), parameters.copy()
+    start[0] += np.pi
+    own[0], turned[0] = parameters[0], start[0]
+    _, _, cost = fit_frame(parameters, own, precision, root, contour, geometry, view, matching, 0)
+    _, _, other = fit_frame(
+        start, turned, precision, root, contour, geometry, view, matching, iterations
+    )
+    return other - cost

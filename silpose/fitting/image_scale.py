@@ -23,13 +23,10 @@ class ImageScale:
     Parameters
     ----------
     geometry : Geometry
-    view : View
-    height : int
-        Of the image, pixels.
     """
 
-    def __init__(self, geometry: Geometry, view: View, height: int) -> None:
-        self._body, self._height = (geometry, view), height
+    def __init__(self, geometry: Geometry) -> None:
+        self._geometry = geometry
         self._mean, self._frames = 0.0, 0
 
     def add(self, parameters: Array) -> None:
@@ -37,22 +34,22 @@ class ImageScale:
         self._frames += 1
         self._mean += (float(parameters[LOG_SCALE]) - self._mean) / self._frames
 
-    def placed(self, angles: Array, root: Array, contour: Contour) -> Array:
+    def placed(self, angles: Array, root: Array, contour: Contour, view: View) -> Array:
         """Place a body where the contour is; return its parameters (68,), at the scale so far."""
         start = np.zeros(PARAMETERS)
         start[:ANGLES] = angles
         start[LOG_SCALE] = self._mean
-        placed = aligned(start, root, contour, *self._body)
+        placed = aligned(start, root, contour, self._geometry, view)
         if self._frames:
             placed[LOG_SCALE] = self._mean
         return placed
 
-    def precision_with(self, precision: Array) -> Array:
+    def precision_with(self, precision: Array, height: float) -> Array:
         """Extend the precision of angles (54, 54) by that of what else a frame has, (68, 68).
 
-        Elevation and shape are those that the fitter has.
+        Elevation and shape are those that the fitter has; the image is `height` pixels high.
         """
-        shift = SHIFT_DEVIATION * self._height
+        shift = SHIFT_DEVIATION * height
         scale = max(_SCALE / float(np.sqrt(1 + self._frames)), _LEAST_SCALE)
         free = np.full(PARAMETERS - ANGLES, KNOWN)
         free[: LOG_SCALE + 1 - ANGLES] = 1 / np.square([shift, shift, scale])

@@ -14,7 +14,7 @@ from silpose.fitting.outline import Outline
 
 
 class Matching(NamedTuple):
-    """How contours are compared.
+    """How contours are compared, at the size that `working_size` gives images.
 
     Attributes
     ----------

@@ -31,6 +31,13 @@ class Modes(NamedTuple):
     hessians: Array
     costs: Array
 
+    @classmethod
+    def of(cls, ends: Sequence[tuple[Array, Array, float]]) -> Modes:
+        """Collect where fits ended: parameters (P,), Hessians (P, P) and costs."""
+        parameters, hessians, costs = (np.array(part) for part in zip(*ends, strict=True))
+        kept = distinct(parameters, costs)
+        return cls(parameters[kept], hessians[kept], costs[kept])
+
 
 def legs_swapped(parameters: Array) -> Array:
     """Let each leg do what the other does, mirrored.
@@ -80,6 +87,13 @@ def weights_of(costs: Array) -> Array:
         return np.full(len(costs), 1 / len(costs))
     likely = np.exp(-(costs - np.min(costs)) / 2)
     return likely / likely.sum()
+
+
+def spread_around(modes: Modes, chosen: int) -> Array:
+    """Find what the other modes add to the covariance of the chosen one's angles, radians²."""
+    off = _wrapped(modes.parameters[:, :ANGLES] - modes.parameters[chosen, :ANGLES])
+    spread: Array = np.einsum("k,ki,kj->ij", weights_of(modes.costs), off, off)
+    return spread
 
 
 def most_likely_path(

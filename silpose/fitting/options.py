@@ -35,11 +35,10 @@ class FittingOptions:
         Gauss-Newton steps of each frame and start.
     starts : int, default=5
         Training poses with similar silhouettes from which a frame is fitted too.
-    lasting : float or None, default=None
-        Share of the variance of an estimate's errors that lasts through a take, 0 up to 1. None is
-        0.3 for performers who are not in training, whose own posture the estimate does not know,
-        and 0 for others.
-    seconds : float, default=0.15
+    lasting : float, default=0.1
+        Share of the variance of an estimate's errors that lasts through a take, 0 up to 1, as the
+        person's own posture does.
+    seconds : float, default=0.1
         Time in which the rest of these errors decays.
 
     Raises
@@ -54,13 +53,13 @@ class FittingOptions:
     whole_take: bool = True
     iterations: int = 10
     starts: int = 5
-    lasting: float | None = None
-    seconds: float = 0.15
+    lasting: float = 0.1
+    seconds: float = 0.1
 
     def __post_init__(self) -> None:
         for name in ("camera", "shape"):
             check_values(name, one_of("known", "estimated"), getattr(self, name))
         check_values("iterations", POSITIVE_INTEGER, self.iterations)
         check_values("starts", NOT_NEGATIVE_INTEGER, self.starts)
-        check_values("lasting", PROBABILITY.or_none(), self.lasting)
+        check_values("lasting", PROBABILITY, self.lasting)
         check_values("seconds", POSITIVE, self.seconds)

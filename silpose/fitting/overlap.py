@@ -76,6 +76,7 @@ def overlap(one: Mask, other: Mask) -> float:
     return np.count_nonzero(first & second) / union if union else 0.0
 
 
-def outline_error(iou: float, mask: Mask, contour: Contour) -> float:
-    """Pixels by which an outline is off along a mask's contour, from their overlap."""
-    return (1 - iou) * np.count_nonzero(mask) / (SPACING * len(contour.pixels))
+def outline_error(iou: float, mask: Mask, contour: Contour, enlargement: float) -> float:
+    """Pixels by which an outline is off along a mask's enlarged contour, from their overlap."""
+    area = enlargement**2 * np.count_nonzero(mask)
+    return (1 - iou) * area / (SPACING * len(contour.pixels))

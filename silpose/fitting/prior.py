@@ -13,6 +13,9 @@ from silpose.core.pose_space import ANGLES as SPACE
 from silpose.core.pose_space import wrap_degrees
 from silpose.core.types import Array
 
+CONTOUR_SECONDS = 0.11
+"""Time in which errors of contours, by which no pose explains them fully, decay."""
+
 _LEAST_DEG = 0.7  # standard deviation that no combination of angles goes below
 _CHANGE_DEG = 1.5  # likewise of a change from frame to frame
 _RATE = 12.0  # radians per second at which motion that comes and goes changes its velocity
@@ -106,3 +109,13 @@ class PosePrior:
     def precision(self) -> Array:
         """Inverse of the covariance, per radian², shape (54, 54)."""
         return np.linalg.inv(np.deg2rad(np.deg2rad(self.covariance)))
+
+
+def news(step_seconds: float, seconds: float) -> float:
+    """Share of a frame's information that is not in the frames before it.
+
+    Of a quantity that hardly changes, n observations whose errors decay in `seconds` tell as much
+    as n (1 - φ) / (1 + φ) independent ones, φ = exp(-Δt / seconds).
+    """
+    phi = float(np.exp(-step_seconds / seconds))
+    return (1 - phi) / (1 + phi)

@@ -4,34 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property
 
 import numpy as np
 from scipy.linalg import block_diag
 
 from silpose.core.parallel import parallel_map
-from silpose.core.pose_space import ANGLES as SPACE
 from silpose.core.types import Array, Indices, Mask
 from silpose.fitting.contour import Contour
-from silpose.fitting.fit import FAR, Fit, state_of
-from silpose.fitting.frame_fit import fit_frame
+from silpose.fitting.fit import FAR
+from silpose.fitting.frame_fit import cost_of_turning, fit_frame
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.matching import Matching
-from silpose.fitting.modes import Modes, distinct, legs_swapped, most_likely_path, weights_of
-from silpose.fitting.overlap import aligned, overlap, silhouette_of
-from silpose.fitting.parameters import (
-    ANGLES,
-    ELEVATION,
-    LOG_SCALE,
-    PARAMETERS,
-    SHAPE,
-    SHIFT_X,
-    SHIFT_Y,
-    difference,
-)
+from silpose.fitting.modes import Modes, legs_swapped, most_likely_path, spread_around
+from silpose.fitting.overlap import aligned
+from silpose.fitting.parameters import ANGLES, ELEVATION, LOG_SCALE, difference
 from silpose.fitting.prior import PosePrior
 from silpose.fitting.take_fit import fit_take
 from silpose.fitting.view import View
+from silpose.fitting.working_size import WorkingSize
 
 KNOWN = 1e12
 """Precision of what is not to change."""
@@ -39,6 +30,9 @@ SHIFT_DEVIATION = 0.05
 """Standard deviation of a frame's image shift where the camera is not known, in image heights."""
 INDEPENDENT_FRAMES = 5
 """Frames of a take whose misfits count as independent for what all frames share."""
+
+End = tuple[Array, Array, float]
+"""Parameters (P,), Hessian (P, P) and cost at the end of a fit."""
 
 _UNLIKE_THE_REST = 0.7  # share of the usual overlap below which a frame is no evidence
 _UNSEEN = Contour(np.empty((0, 2)), np.empty((0, 2)))
@@ -51,7 +45,10 @@ class Problem:
     Attributes
     ----------
     geometry : Geometry
-    view : View
+    working : WorkingSize
+        Of `masks`.
+    camera_view : View
+        At the camera's own size.
     matching : Matching
     prior : PosePrior
     free : ndarray, shape (14,) or (0,)
@@ -60,6 +57,7 @@ class Problem:
         Parameters to start each frame from, the first the prior's mean; NaN is none.
     roots : ndarray, shape (F, 3)
     masks : sequence of ndarray, each (H, W)
+        At the working size.
     contours : sequence of Contour
         Those of the masks.
     frames : ndarray of int
@@ -68,7 +66,8 @@ class Problem:
     """
 
     geometry: Geometry
-    view: View
+    working: WorkingSize
+    camera_view: View
     matching: Matching
     prior: PosePrior
     free: Array
@@ -78,6 +77,11 @@ class Problem:
     contours: Sequence[Contour]
     frames: Indices
     iterations: int
+
+    @property
+    def view(self) -> View:
+        """The camera at the working size."""
+        return self.working.view(self.camera_view)
 
     def with_aligned_starts(self) -> Problem:
         """Place the body where the contours are, where the camera is not known.
@@ -102,12 +106,29 @@ class Problem:
 
     def modes(self) -> list[Modes]:
         """Fit every frame of `frames` by itself, from all its starts."""
+        return parallel_map(self._modes, self.frames.tolist(), prefer="threads")
+
+    @cached_property
+    def _precision(self) -> Array:
+        """Of the prior of one frame's parameters."""
         own = self.free.copy()
         own[ELEVATION - ANGLES :] = KNOWN  # what all frames share is told by all of them only
-        precision = block_diag(self.prior.precision, np.diag(own))
-        return parallel_map(
-            partial(self._modes, precision=precision), self.frames.tolist(), prefer="threads"
-        )
+        precision: Array = block_diag(self.prior.precision, np.diag(own))
+        return precision
+
+    def costs_of_turning(self, parameters: Array) -> Array:
+        """How much worse each frame is explained by its body (n, P) turned around, (n,)."""
+        mean = np.concatenate([self._means[:, :ANGLES], parameters[:, ANGLES:]], axis=1)
+        precision, iterations = self._precision, max(1, self.iterations // 2)
+
+        def cost(own: Array, expected: Array, frame: int) -> float:
+            return cost_of_turning(
+                own, expected, precision, self.roots[frame], self.contours[frame], self.geometry,
+                self.view, self.matching, iterations,
+            )  # fmt: skip
+
+        frames = list(zip(parameters, mean, self.frames, strict=True))
+        return np.array(parallel_map(lambda frame: cost(*frame), frames, prefer="threads"))
 
     def path_through(self, modes: Sequence[Modes], step_seconds: float) -> tuple[Array, Array]:
         """Follow the most likely path through the modes of the frames.
@@ -116,7 +137,7 @@ class Problem:
         -------
         parameters : ndarray, shape (n, 68)
         covariance : ndarray, shape (n, 54, 54)
-            Of their angles, radians².
+            Of their angles, radians²; that there are other modes adds to it.
         """
         path = most_likely_path(
             [m.parameters for m in modes], [m.costs for m in modes],
@@ -124,7 +145,8 @@ class Problem:
         )  # fmt: skip
         parameters = np.stack([m.parameters[k] for m, k in zip(modes, path, strict=True)])
         hessians = np.stack([m.hessians[k] for m, k in zip(modes, path, strict=True)])
-        return parameters, np.linalg.inv(hessians)[:, :ANGLES, :ANGLES]
+        spread = np.stack([spread_around(m, k) for m, k in zip(modes, path, strict=True)])
+        return parameters, np.linalg.inv(hessians)[:, :ANGLES, :ANGLES] + spread
 
     def together(self, parameters: Array, step_seconds: float) -> tuple[Array, Array]:
         """Fit all frames as one take, from parameters (n, 68) of its frames.
@@ -153,9 +175,8 @@ class Problem:
         """Overlap of the body that parameters (n, P) describe with the mask of each frame."""
         iou = np.empty(len(parameters))
         for k, (own, frame) in enumerate(zip(parameters, self.frames, strict=True)):
-            size, root = np.shape(self.masks[frame]), self.roots[frame]
-            fitted = silhouette_of(own, root, self.geometry, self.view, *size)
-            iou[k] = overlap(fitted, self.masks[frame])
+            of = self.roots[frame], self.geometry, self.camera_view
+            iou[k] = self.working.overlap(self.masks[frame], own, *of)
         return iou
 
     @property
@@ -169,23 +190,21 @@ class Problem:
     def _means(self) -> Array:
         return self.starts[self.frames, 0]
 
-    def _modes(self, frame: int, precision: Array) -> Modes:
+    def end(self, frame: int, start: Array) -> End:
+        """Fit one frame from one start (P,): parameters, their Hessian, and their cost."""
+        parameters, hessian, cost = fit_frame(
+            start, self.starts[frame, 0], self._precision, self.roots[frame], self.contours[frame],
+            self.geometry, self.view, self.matching, self.iterations,
+        )  # fmt: skip
+        return parameters, hessian, float(cost)
+
+    def _modes(self, frame: int) -> Modes:
         """Where the starts of a frame lead, and the best of these with its legs swapped."""
         starts = self.starts[frame]
-
-        def end(start: Array) -> tuple[Array, Array, float]:
-            parameters, hessian, cost = fit_frame(
-                start, starts[0], precision, self.roots[frame], self.contours[frame],
-                self.geometry, self.view, self.matching, self.iterations,
-            )  # fmt: skip
-            return parameters, hessian, float(cost)
-
-        ends = [end(start) for start in starts[np.isfinite(starts[:, 0])]]
+        ends = [self.end(frame, start) for start in starts[np.isfinite(starts[:, 0])]]
         if len(starts) > 1:
-            ends.append(end(legs_swapped(min(ends, key=lambda e: e[2])[0])))
-        parameters, hessians, costs = (np.array(part) for part in zip(*ends, strict=True))
-        kept = distinct(parameters, costs)
-        return Modes(parameters[kept], hessians[kept], costs[kept])
+            ends.append(self.end(frame, legs_swapped(min(ends, key=lambda e: e[2])[0])))
+        return Modes.of(ends)
 
     def deviations(self, parameters: Array) -> Array:
         """Root mean square of each frame's deviation from the estimate, as `state_of` takes it."""
@@ -195,39 +214,3 @@ class Problem:
         squared = (angles * np.linalg.solve(covariance, angles.T).T).sum(axis=1)
         deviations: Array = np.sqrt(squared / (ANGLES - 1))
         return deviations
-
-    def fit_of(self, parameters: Array, covariance: Array, modes: Sequence[Modes]) -> Fit:
-        """Put the fitted frames where they belong, with the overlap of body and mask."""
-        every = _complete(parameters)
-        count, most = len(self.starts), max(len(m.costs) for m in modes)
-        x, shift = np.full((count, ANGLES + 1), np.nan), np.full((count, 2), np.nan)
-        scale = np.full(count, np.nan)
-        spread, iou = np.full((count, ANGLES, ANGLES), np.nan), np.full(count, np.nan)
-        poses, weights = np.full((count, most, ANGLES + 1), np.nan), np.zeros((count, most))
-        x[self.frames], scale[self.frames] = _poses(every), np.exp(every[:, LOG_SCALE])
-        shift[self.frames] = every[:, [SHIFT_X, SHIFT_Y]]
-        spread[self.frames] = np.rad2deg(np.rad2deg(covariance))
-        iou[self.frames] = self.overlaps(parameters)
-        deviation = np.zeros(count)
-        deviation[self.frames] = self.deviations(parameters)
-        for frame, found in zip(self.frames, modes, strict=True):
-            poses[frame, : len(found.costs)] = _poses(found.parameters)
-            weights[frame, : len(found.costs)] = weights_of(found.costs)
-        shared = np.median(every, axis=0)
-        return Fit(
-            x, spread, iou, [state_of(*of) for of in zip(iou, deviation, strict=True)], shift,
-            scale,
-            float(np.rad2deg(self.view.elevation + shared[ELEVATION])), shared[SHAPE:],
-            poses, weights,
-        )  # fmt: skip
-
-
-def _complete(parameters: Array) -> Array:
-    """All 68 parameters, 0 where they are known."""
-    every = np.zeros((len(parameters), PARAMETERS))
-    every[:, : parameters.shape[1]] = parameters
-    return every
-
-
-def _poses(parameters: Array) -> Array:
-    return SPACE.from_angles(np.rad2deg(parameters[:, :ANGLES]))

@@ -10,7 +10,7 @@ have disagreed for a while.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,15 +19,17 @@ from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES as SPACE
 from silpose.core.types import Array, Mask
 from silpose.fitting.body_fitter import BodyFitter
-from silpose.fitting.contour import Contour, contour_of
+from silpose.fitting.confidence import DOUBTFUL
+from silpose.fitting.evidence import EVIDENCE, Fitted, evidence_of
 from silpose.fitting.expected_pose import ExpectedPose
-from silpose.fitting.fit import FAR
-from silpose.fitting.frame_fit import fit_frame
+from silpose.fitting.frame_fit import cost_of_turning, fit_frame
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.image_scale import ImageScale
 from silpose.fitting.likelihood import misfit_of
-from silpose.fitting.overlap import overlap, silhouette_of
+from silpose.fitting.live_frame import End, Seen
 from silpose.fitting.parameters import ANGLES, difference
+from silpose.fitting.prior import CONTOUR_SECONDS, news
+from silpose.fitting.working_size import WorkingSize, expected_height
 
 TOLERATED = 0.75
 """Share of the usual overlap of body and mask below which the person counts as lost."""
@@ -39,25 +41,7 @@ _USUAL = 30.0  # up to which that alone is tried if it explains the mask, and
 _PLAUSIBLE = 100.0  # up to which both may be right
 _WORSE = 1.5  # factor of what body and mask usually do not share, from which both are tried
 _ITERATIONS, _AT_FIRST = {"known": 4, "estimated": 8}, 8
-_MOST = 600  # points of a contour: a person's have fewer, and time is limited
-
-
-class _Seen(NamedTuple):
-    """A frame: its mask and contour, where the root is, and the estimated angles, if any."""
-
-    mask: Mask
-    contour: Contour
-    root: Array
-    estimate: Array | None
-
-
-class _End(NamedTuple):
-    """Where a start led, and whether it was an estimate on its own."""
-
-    parameters: Array
-    hessian: Array
-    iou: float
-    anew: bool
+_TURNED = 3  # iterations of a fit turned around, for comparison
 
 
 class FitterStream:
@@ -68,8 +52,9 @@ class FitterStream:
     fitter : BodyFitter
         With an estimated camera, the image's shift and scale are fitted; the elevation and the
         body's shape are the fitter's. With an estimated shape, clothes are allowed for.
-    usual_iou : float, default=0.95
-        Overlap of body and mask in training, by which a fit is judged.
+    usual_iou : float, optional
+        Overlap of body and mask in training, by which a fit is judged; by default that of the
+        fitter's confidence.
     frames_per_second : float, default=15.0
     iterations : int, optional
         Gauss-Newton steps of each start, by default 4, or 8 where the camera is estimated; at
@@ -81,19 +66,27 @@ class FitterStream:
         Overlap of the body and the last mask; NaN before the first one and if it was blank.
     covariance : ndarray, shape (54, 54)
         Of the last fit's angles, degrees²; NaN where there is none.
+    confidence : float
+        Probability that the last pose is right, as `Fit.confidence`; 0 where nothing was fitted.
+    evidence : ndarray, shape (9,)
+        What it is read from, see `EVIDENCE`; NaN where nothing was fitted.
     """
 
     def __init__(
         self,
         fitter: BodyFitter,
         *,
-        usual_iou: float = 0.95,
+        usual_iou: float | None = None,
         frames_per_second: float = 15.0,
         iterations: int | None = None,
     ) -> None:
-        self._fitter, self._geometry, self._view = fitter, geometry_of(fitter.body), fitter.view
-        self._usual_iou = usual_iou
+        self._fitter, self._geometry = fitter, geometry_of(fitter.body)
+        self._resize(WorkingSize.for_person(fitter.camera, expected_height(fitter.camera)))
+        self._usual_iou = usual_iou or fitter.confidence.usual_iou
+        self._sure = replace(fitter.confidence, usual_iou=self._usual_iou)
         self._change = fitter.prior.change_within(1 / frames_per_second)
+        self._contour_news = news(1 / frames_per_second, CONTOUR_SECONDS)
+        self._estimate_news = news(1 / frames_per_second, fitter.prior.seconds)
         clothed = fitter.shape_is == "estimated"
         self._matching = fitter.matching.clothed() if clothed else fitter.matching
         self._precision = fitter.prior.precision
@@ -101,11 +94,10 @@ class FitterStream:
         self._without_heading = np.linalg.inv(self._errors[1:, 1:]).astype(float)
         self._iterations = iterations or _ITERATIONS[fitter.camera_is]
         self._expected: ExpectedPose | None = None
-        self._scale = ImageScale(self._geometry, self._view, fitter.camera.height)
+        self._scale = ImageScale(self._geometry)
         self._state = "starting"
         self._overruled = 0  # frames running in which what was expected counted, not the estimate
-        self.iou = np.nan
-        self.covariance = np.full((ANGLES, ANGLES), np.nan)
+        self._forget()
 
     def step(
         self, mask: Mask, start: ArrayLike | None = None, root: ArrayLike | None = None
@@ -126,9 +118,10 @@ class FitterStream:
         x : ndarray, shape (55,)
             The pose; where nothing can be fitted the last one, or NaN if there is none.
         state : str
-            ``starting`` until the body explains a mask, then ``tracking``; ``lost`` where it
-            explains a mask much worse than is usual or only by a pose that is far from all that
-            was estimated, or the mask is blank; ``recovered`` in the first frame after that.
+            ``starting`` until the body explains a mask, then ``tracking``; ``lost`` where the
+            confidence is below a half, as the body explains the mask much worse than is usual or
+            only by a pose that is far from all that was estimated, or where the mask is blank;
+            ``recovered`` in the first frame after that.
 
         Raises
         ------
@@ -141,22 +134,26 @@ class FitterStream:
                 f"a mask has shape {np.shape(mask)} where the camera's is "
                 f"{(camera.height, camera.width)}: give masks of one size, that of the camera"
             )
-        place = np.zeros(3) if root is None else np.asarray(root, dtype=float)
-        seen = _Seen(np.asarray(mask), _thinned(contour_of(mask)), place, _angles_of(start))
+        if self._fitter.camera_is == "estimated":
+            self._resize(self._working.followed(camera, mask))
+        seen = Seen.of(mask, start, root, self._working)
         end = self._fit(seen) if len(seen.contour.pixels) else None
         if end is None:
-            self.iou, self.covariance = np.nan, np.full((ANGLES, ANGLES), np.nan)
+            self._forget()
             self._miss()
             return self._held(), self._state
-        covariance = np.linalg.inv(end.hessian).astype(float)[:ANGLES, :ANGLES]
+        before = None if self._expected is None else self._expected.precision
+        covariance = end.covariance(before, self._contour_news, self._estimate_news)
         self.iou, self.covariance = end.iou, np.rad2deg(np.rad2deg(covariance))
-        if self.iou >= TOLERATED * self._usual_iou and self._is_near(end, seen):
+        self.evidence = self._evidence(end, covariance, seen)
+        self.confidence = float(self._sure.of(self.evidence[None])[0])
+        if self.confidence >= DOUBTFUL:
             self._follow(end, covariance)
         else:
             self._miss()
         return SPACE.from_angles(np.rad2deg(end.parameters[:ANGLES])), self._state
 
-    def _fit(self, seen: _Seen) -> _End | None:
+    def _fit(self, seen: Seen) -> End | None:
         """Fit from what is expected and, if that may be wrong, from the estimate alone."""
         expected, estimate = self._expected, seen.estimate
         if expected is None:
@@ -175,12 +172,14 @@ class FitterStream:
         self._overruled = self._overruled + 1 if best < len(ends) - 1 else 0
         return ends[best]
 
-    def _end(self, mean: Array, precision: Array, seen: _Seen, start: Array | None = None) -> _End:
+    def _end(self, mean: Array, precision: Array, seen: Seen, start: Array | None = None) -> End:
         """Fit from a start, or from the prior's mean as a start of its own."""
         angles = mean if start is None else start
         if self._fitter.camera_is == "estimated":
-            mean = self._scale.placed(mean, seen.root, seen.contour)
-            precision = self._scale.precision_with(precision)
+            mean = self._scale.placed(mean, seen.root, seen.contour, self._view)
+            precision = self._scale.precision_with(
+                precision, self._working.factor * self._fitter.camera.height
+            )
             angles = np.concatenate([angles, mean[ANGLES:]])
         follows = self._state in ("tracking", "recovered")
         iterations = self._iterations if follows else max(self._iterations, _AT_FIRST)
@@ -188,10 +187,11 @@ class FitterStream:
         parameters, hessian, _ = fit_frame(
             angles, mean, precision, seen.root, seen.contour, *body, iterations
         )
-        filled = silhouette_of(parameters, seen.root, *body[:2], *seen.mask.shape)
-        return _End(parameters, hessian, overlap(filled, seen.mask), start is None)
+        of = seen.root, self._geometry, self._fitter.view
+        iou = self._working.overlap(seen.mask, parameters, *of)
+        return End(parameters, hessian, precision, iou, start is None)
 
-    def _cost(self, end: _End, seen: _Seen) -> float:
+    def _cost(self, end: End, seen: Seen) -> float:
         """Minus twice the log posterior, in which what is far away costs no more than a limit."""
         parameters, expected = end.parameters, self._expected
         body = self._geometry, self._view, self._matching
@@ -205,16 +205,27 @@ class FitterStream:
             cost += min(_NEW_START, float(off @ expected.precision @ off))
         return cost
 
-    def _is_near(self, end: _End, seen: _Seen) -> bool:
-        """Whether the pose, the heading left out, is near the estimate or what is expected."""
-        others = [] if seen.estimate is None else [seen.estimate]
-        if self._expected is not None:
-            others.append(self._expected.mean)
-        offs = [difference(end.parameters[:ANGLES], other)[1:] for other in others]
-        limit = FAR**2 * (ANGLES - 1)
-        return any(off @ self._without_heading @ off < limit for off in offs)
+    def _evidence(self, end: End, covariance: Array, seen: Seen) -> Array:
+        """Compare a fit with its estimate, or with what is expected where there is none."""
+        other = seen.estimate
+        if other is None:
+            other = end.parameters[:ANGLES] if self._expected is None else self._expected.mean
+        turning = cost_of_turning(
+            end.parameters, np.concatenate([other, end.parameters[ANGLES:]]), end.precision,
+            seen.root, seen.contour, self._geometry, self._view, self._matching, _TURNED,
+        )  # fmt: skip
+        fitted = Fitted(end.parameters, covariance, end.iou, turning)
+        of = other, self._without_heading, seen.root, seen.contour
+        return evidence_of(fitted, *of, self._geometry, self._view)
 
-    def _follow(self, end: _End, covariance: Array) -> None:
+    def _resize(self, working: WorkingSize) -> None:
+        self._working, self._view = working, working.view(self._fitter.view)
+
+    def _forget(self) -> None:
+        self.iou, self.covariance = np.nan, np.full((ANGLES, ANGLES), np.nan)
+        self.confidence, self.evidence = 0.0, np.full(len(EVIDENCE), np.nan)
+
+    def _follow(self, end: End, covariance: Array) -> None:
         parameters = end.parameters
         self._expected = ExpectedPose.after(
             None if end.anew else self._expected, parameters[:ANGLES], covariance, self._change
@@ -233,15 +244,3 @@ class FitterStream:
         if self._expected is None:
             return np.full(ANGLES + 1, np.nan)
         return SPACE.from_angles(np.rad2deg(self._expected.fitted))
-
-
-def _thinned(contour: Contour) -> Contour:
-    every = -(-len(contour.pixels) // _MOST) or 1
-    return Contour(*(np.ascontiguousarray(part[::every]) for part in contour))
-
-
-def _angles_of(pose: ArrayLike | None) -> Array | None:
-    """Angles (54,) in radians of a pose, None if it is not known."""
-    if pose is None or not np.isfinite(pose).all():
-        return None
-    return np.deg2rad(SPACE.angles(pose))

@@ -23,11 +23,8 @@ from silpose.fitting.likelihood import add_evidence
 from silpose.fitting.limits import add_limits
 from silpose.fitting.matching import Matching
 from silpose.fitting.parameters import ANGLES, CONVERGED, ELEVATION, difference, take_step
-from silpose.fitting.prior import PosePrior
+from silpose.fitting.prior import CONTOUR_SECONDS, PosePrior, news
 from silpose.fitting.view import View
-
-_NEWS = 0.3
-"""Share of a frame's evidence that counts for the covariance: the rest errs as frames before."""
 
 
 def fit_take(
@@ -84,7 +81,8 @@ def fit_take(
         shares = [take_step(p, step) for p, step in zip(parameters, new - errors, strict=True)]
         if max(shares) < CONVERGED:
             break
-    return parameters, chain.solve(_NEWS * hessians, _NEWS * gradients, errors)[1]
+    share = news(step_seconds, CONTOUR_SECONDS)
+    return parameters, chain.solve(share * hessians, share * gradients, errors)[1]
 
 
 def _evidence(

@@ -9,11 +9,10 @@ from numpy.typing import ArrayLike
 
 from silpose.core.types import Array, Mask
 from silpose.fitting.body_fitter import BodyFitter
-from silpose.fitting.contour import contour_of
 from silpose.fitting.fitted_body import fitted_silhouettes, parameters_of
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.likelihood import misfit_of
-from silpose.fitting.parameters import ANGLES, difference
+from silpose.fitting.parameters import ANGLES, SHIFT_X, SHIFT_Y, difference
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,13 +71,15 @@ def trace_frame(
         replace(alone, iterations=k).fit([mask], poses, roots=place)
         for k in range(fitter.iterations + 1)
     ]
-    contour, geometry = contour_of(mask), geometry_of(fitter.body)
+    working, geometry = fitter.working_size([mask]), geometry_of(fitter.body)
+    contour, view = working.contour(working.mask(mask)), working.view(fitter.view)
     costs = []
     mean = parameters_of(fitter, fits[0])[0, :ANGLES]
     for fit in fits:
         own = parameters_of(fitter, fit)[0]
+        own[[SHIFT_X, SHIFT_Y]] *= working.factor
         off = difference(mean, own[:ANGLES])
-        misfit = misfit_of(own, place[0], contour, geometry, fitter.view, fitter.matching)
+        misfit = misfit_of(own, place[0], contour, geometry, view, fitter.matching)
         costs.append(misfit + off @ fitter.prior.precision @ off)
     return Trace(
         mask,

@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from math import ceil
 from typing import Any, Self
 
 import numpy as np
-from sklearn.base import clone
 
 from silpose.core.errors import InputError
-from silpose.core.parallel import parallel_map
 from silpose.core.pose_space import ANGLES
-from silpose.core.stages import timed
+from silpose.core.stages import stage, timed
 from silpose.core.types import Array
 from silpose.dataset import Take
-from silpose.fitting import BodyFitter, FittingOptions, PosePrior
+from silpose.fitting import BodyFitter, Confidence, FittingOptions, PosePrior
+from silpose.model.left_out import regressed_left_out, tracked_left_out
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.training import DescribedDataset
-from silpose.regression import DistinctNeighbours, Fold, Regressor, folds
+from silpose.regression import DistinctNeighbours, Regressor
 from silpose.silhouette import Body, Camera
+from silpose.tracking import Tracker
 
-_OWN_POSTURE = 0.3  # share of the variance of estimates' errors that is a performer's posture
-_FOLDS = 8  # largest number of parts in which training takes are left out
-_FRAMES = 10_000  # frames, about, that a regressor is fitted to when some are left out
 _EXAMPLES = 3000  # training examples that a model keeps for further starts
 _TAKES, _FRAMES_EACH = 8, 4  # to which the body is fitted to see how it usually overlaps
 
@@ -43,6 +41,10 @@ class FitterTraining:
         Of rigid links.
     camera : Camera
         Camera of takes that have none of their own.
+    tracker : Tracker or None, default=None
+        Fitted to all training takes; then whole takes start from its estimates.
+    lag : int, default=0
+        Frames that these may wait for.
 
     See Also
     --------
@@ -54,6 +56,8 @@ class FitterTraining:
     options: FittingOptions
     body: Body
     camera: Camera
+    tracker: Tracker | None = None
+    lag: int = 0
 
     @classmethod
     def of(
@@ -63,6 +67,8 @@ class FitterTraining:
         options: FittingOptions,
         body: Body,
         camera: Camera,
+        tracker: Tracker | None = None,
+        lag: int = 0,
     ) -> Self:
         """Prepare the training of a fitter.
 
@@ -75,6 +81,8 @@ class FitterTraining:
         body : Body
             That of the person; of a skinned body the rigid one of the same shape is fitted.
         camera : Camera
+        tracker : Tracker, optional
+        lag : int, default=0
 
         Raises
         ------
@@ -89,7 +97,7 @@ class FitterTraining:
             )
         if body.kind != "convex":
             body = Body(shape=body.shape)
-        return cls(described, regressor, options, body, camera)
+        return cls(described, regressor, options, body, camera, tracker, lag)
 
     @cached_property
     def left_out(self) -> list[Array]:
@@ -97,41 +105,31 @@ class FitterTraining:
 
         Nor on any take by the same performer, where performers are kept apart.
         """
-        train = self.described.train
-        return self._left_out(folds(train, most=_FOLDS, groups=self.described.groups))
-
-    @timed("fitting")
-    def _left_out(self, parts: list[Fold]) -> list[Array]:
-        takes = {id(take): k for k, take in enumerate(self.described.train)}
-        estimates = [np.empty(0)] * len(takes)
-        fitted = parallel_map(
-            partial(_refitted, self.regressor), parts, description="leaving takes out",
-            prefer="threads",
-        )  # fmt: skip
-        for part, regressor in zip(parts, fitted, strict=True):
-            for take in part.validation:
-                estimates[takes[id(take)]] = regressor.predict(take[0])
-        return estimates
+        with stage("fitting"):
+            return regressed_left_out(self.regressor, self.described.train, self.described.groups)
 
     @cached_property
     def prior(self) -> PosePrior:
-        """How estimates err on training takes that are left out."""
+        """How the regressor's estimates err on training takes that are left out."""
+        return self._prior_of(self.left_out)
+
+    @cached_property
+    def tracked_prior(self) -> PosePrior | None:
+        """How the tracker's estimates err on such takes; None without a tracker."""
+        if self.tracker is None:
+            return None
+        train, groups = self.described.train, self.described.groups
+        with stage("fitting"):
+            return self._prior_of(tracked_left_out(self.tracker, self.lag, train, groups))
+
+    def _prior_of(self, estimated: Sequence[Array]) -> PosePrior:
         return PosePrior.from_errors(
             [x for _, x in self.described.train],
-            self.left_out,
+            estimated,
             self.described.data.train[0].frames_per_second,
-            lasting=self._lasting,
+            lasting=self.options.lasting,
             seconds=self.options.seconds,
         )
-
-    @property
-    def _lasting(self) -> float:
-        """Share of the errors that lasts: the own posture of performers who are not in training."""
-        if self.options.lasting is not None:
-            return self.options.lasting
-        data = self.described.data
-        known = {take.performer for take in data.train}
-        return 0.0 if {take.performer for take in data.test} <= known else _OWN_POSTURE
 
     def starts(self, z: Array) -> tuple[Array, Array]:
         """Estimate poses, and find others with similar silhouettes.
@@ -158,13 +156,17 @@ class FitterTraining:
     def _neighbours(self) -> DistinctNeighbours:
         return DistinctNeighbours(*self.described.joined("train"), ANGLES.distance)
 
-    def fitter(self, *, camera: Camera | None = None, **overrides: Any) -> BodyFitter:
+    def fitter(
+        self, *, camera: Camera | None = None, prior: PosePrior | None = None, **overrides: Any
+    ) -> BodyFitter:
         """Create the fitter.
 
         Parameters
         ----------
         camera : Camera, optional
             That of the take, if it has one of its own.
+        prior : PosePrior, optional
+            Of the estimates that fits start from; by default of the regressor's.
         **overrides
             Arguments of `BodyFitter` to use instead of the options.
         """
@@ -175,7 +177,10 @@ class FitterTraining:
             "whole_take": options.whole_take,
             "iterations": options.iterations,
         }
-        return BodyFitter(self.body, camera or self.camera, self.prior, **(arguments | overrides))
+        if "confidence" not in overrides:
+            arguments["confidence"] = Confidence(usual_iou=self.usual_iou)
+        prior = self.prior if prior is None else prior
+        return BodyFitter(self.body, camera or self.camera, prior, **(arguments | overrides))
 
     @cached_property
     def usual_iou(self) -> float:
@@ -196,7 +201,8 @@ class FitterTraining:
         assert take.masks is not None
         every = max(1, len(take) // _FRAMES_EACH)
         frames = range(every // 2, len(take), every)
-        fitter = self.fitter(camera=take.camera_or(self.camera), whole_take=False)
+        camera, sure = take.camera_or(self.camera), Confidence()
+        fitter = self.fitter(camera=camera, whole_take=False, confidence=sure)
         return fitter.fit(
             [take.masks[frame] for frame in frames],
             estimated[frames],
@@ -210,12 +216,6 @@ class FitterTraining:
         z, x = self.described.joined("train")
         every = ceil(len(z) / _EXAMPLES)
         return PoseFitter(
-            self.fitter(), z[::every], x[::every], self.options.starts, self.usual_iou
-        )
-
-
-def _refitted(regressor: Regressor, fold: Fold) -> Regressor:
-    """Fit a regressor of the same settings to a fold's training takes."""
-    every = ceil(len(fold.z) / _FRAMES)
-    fitted: Regressor = clone(regressor).fit(fold.z[::every], fold.x[::every])
-    return fitted
+            self.fitter(), z[::every], x[::every], self.options.starts, self.usual_iou,
+            self.tracked_prior,
+        )  # fmt: skip

@@ -17,6 +17,8 @@ def fitting_stream(
     describe: Callable[[ArrayLike], Array],
     estimate: Callable[[Array], Array],
     frames_per_second: float,
+    *,
+    tracked: bool,
 ) -> Callable[[ArrayLike], tuple[Array, str]]:
     """Start fitting the body to one mask after another.
 
@@ -28,6 +30,8 @@ def fitting_stream(
     estimate : callable
         From a descriptor to a pose (55,) to start from, both of NaN if there is none.
     frames_per_second : float
+    tracked : bool
+        Whether these estimates are a tracker's.
 
     Returns
     -------
@@ -40,7 +44,7 @@ def fitting_stream(
         nonlocal running
         frame, z = np.asarray(mask), describe(mask)
         if running is None:  # the first mask says how large they are
-            running = fitter.stream(frame.shape, frames_per_second)
+            running = fitter.stream(frame.shape, frames_per_second, tracked=tracked)
         return running.step(frame, estimate(z))
 
     return step

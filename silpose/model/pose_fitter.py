@@ -14,7 +14,15 @@ from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.core.serialisation import State, prefixed, unwrapped, without_prefix
 from silpose.core.types import Array, Mask
-from silpose.fitting import BodyFitter, Fit, FitterStream, FittingOptions, Matching, PosePrior
+from silpose.fitting import (
+    BodyFitter,
+    Confidence,
+    Fit,
+    FitterStream,
+    FittingOptions,
+    Matching,
+    PosePrior,
+)
 from silpose.regression import DistinctNeighbours
 from silpose.silhouette import Body, Camera
 
@@ -36,6 +44,8 @@ class PoseFitter:
         Number of further starts of each frame.
     usual_iou : float
         Overlap of body and mask in training.
+    tracked_prior : PosePrior or None, default=None
+        How the estimates of the model's tracker err, if it has one.
     """
 
     fitter: BodyFitter
@@ -43,6 +53,7 @@ class PoseFitter:
     x: Array
     starts: int
     usual_iou: float
+    tracked_prior: PosePrior | None = None
 
     def fit(
         self,
@@ -50,7 +61,7 @@ class PoseFitter:
         z: Array,
         x: Array,
         *,
-        further: Array | None = None,
+        tracked: Array | None = None,
         roots: ArrayLike | None = None,
         frames_per_second: float = 15.0,
     ) -> Fit:
@@ -62,8 +73,8 @@ class PoseFitter:
             Consecutive frames, blank or not.
         z, x : ndarray, shapes (F, d) and (F, 55)
             Their descriptors and estimated poses; NaN for a blank mask.
-        further : ndarray, shape (F, k, 55), optional
-            Further poses to start from, such as a tracker's.
+        tracked : ndarray, shape (F, 55), optional
+            A tracker's estimates, which are better: then the prior is around these.
         roots : array-like, shape (F, 3), optional
             Root relative to what the camera looks at, metres; at the origin by default.
         frames_per_second : float, default=15.0
@@ -84,13 +95,16 @@ class PoseFitter:
                 "which have the same size"
             )
         others = self._neighbours.find(z, self.starts)
-        if further is not None:
-            others = np.concatenate([further, others], axis=1)
-        return self._for_size(sizes[0]).fit(
-            masks, x, others=others, roots=roots, frames_per_second=frames_per_second
+        mean = np.asarray(x)
+        if tracked is not None:
+            others, mean = np.concatenate([mean[:, None], others], axis=1), tracked
+        return self._for_size(sizes[0], tracked is not None).fit(
+            masks, mean, others=others, roots=roots, frames_per_second=frames_per_second
         )
 
-    def stream(self, shape: tuple[int, ...], frames_per_second: float = 15.0) -> FitterStream:
+    def stream(
+        self, shape: tuple[int, ...], frames_per_second: float = 15.0, *, tracked: bool = False
+    ) -> FitterStream:
         """Start fitting live.
 
         Parameters
@@ -98,34 +112,37 @@ class PoseFitter:
         shape : tuple of int
             Height and width of the masks.
         frames_per_second : float, default=15.0
+        tracked : bool, default=False
+            Whether each frame's estimate will be a tracker's.
 
         Returns
         -------
         stream : FitterStream
         """
-        return FitterStream(
-            self._for_size(shape),
-            usual_iou=self.usual_iou,
-            frames_per_second=frames_per_second,
-        )
+        return FitterStream(self._for_size(shape, tracked), frames_per_second=frames_per_second)
 
     def with_options(self, options: FittingOptions) -> Self:
         """Fit with other knowledge, and from other starts, than in training."""
-        fitter = self.fitter
-        lasting = fitter.prior.lasting if options.lasting is None else options.lasting
-        prior = replace(fitter.prior, lasting=lasting, seconds=options.seconds)
+
+        def over_time(prior: PosePrior) -> PosePrior:
+            return replace(prior, lasting=options.lasting, seconds=options.seconds)
+
         changed = replace(
-            fitter, prior=prior, camera_is=options.camera, shape_is=options.shape,
-            whole_take=options.whole_take, iterations=options.iterations,
+            self.fitter, prior=over_time(self.fitter.prior), camera_is=options.camera,
+            shape_is=options.shape, whole_take=options.whole_take, iterations=options.iterations,
         )  # fmt: skip
-        return replace(self, fitter=changed, starts=options.starts)
+        tracked = self.tracked_prior and over_time(self.tracked_prior)
+        return replace(self, fitter=changed, starts=options.starts, tracked_prior=tracked)
 
     @cached_property
     def _neighbours(self) -> DistinctNeighbours:
         return DistinctNeighbours(self.z, self.x, ANGLES.distance)
 
-    def _for_size(self, shape: tuple[int, ...]) -> BodyFitter:
-        fitter = self.fitter
+    def _for_size(self, shape: tuple[int, ...], tracked: bool) -> BodyFitter:
+        sure = replace(self.fitter.confidence, usual_iou=self.usual_iou)
+        fitter = replace(self.fitter, confidence=sure)
+        if tracked and self.tracked_prior is not None:
+            fitter = replace(fitter, prior=self.tracked_prior)
         height, width = shape
         if (height, width) == (fitter.camera.height, fitter.camera.width):
             return fitter
@@ -144,26 +161,34 @@ class PoseFitter:
             **prefixed("body", {"kind": body.kind, "level": body.level, **shape}),
             **prefixed("camera", _values_of(fitter.camera)),
             **prefixed("prior", _values_of(fitter.prior)),
+            **prefixed("tracked_prior", _values_of(self.tracked_prior)),
             **prefixed("matching", fitter.matching._asdict()),
+            "confidence": np.array(fitter.confidence.weights),
         }
 
     @classmethod
     def from_arrays(cls, state: State) -> Self:
         """Restore a fitter from the result of `to_arrays`."""
         values = unwrapped(state)
-        body, camera, prior, matching = (
-            without_prefix(part, values) for part in ("body", "camera", "prior", "matching")
+        body, camera, prior, tracked_prior, matching = (
+            without_prefix(part, values)
+            for part in ("body", "camera", "prior", "tracked_prior", "matching")
         )
         if "shape" in body:
             body["shape"] = body["shape"].tolist()
         fitter = BodyFitter(
             Body(**body), Camera(**camera), PosePrior(**prior), matching=Matching(**matching),
+            confidence=Confidence(tuple(values["confidence"].tolist())),
             **{name: values[name] for name in _CHOICES},
         )  # fmt: skip
-        return cls(fitter, values["z"], values["x"], values["starts"], values["usual_iou"])
+        tracked = PosePrior(**tracked_prior) if tracked_prior else None
+        own = {name: values[name] for name in ("z", "x", "starts", "usual_iou")}
+        return cls(fitter, **own, tracked_prior=tracked)
 
 
-def _values_of(part: Camera | PosePrior) -> State:
-    """Values of a dataclass's fields that are not None."""
+def _values_of(part: Camera | PosePrior | None) -> State:
+    """Values of a dataclass's fields that are not None; none of no dataclass."""
+    if part is None:
+        return {}
     values = {field.name: getattr(part, field.name) for field in fields(part)}
     return {name: value for name, value in values.items() if value is not None}

@@ -30,6 +30,8 @@ Masks = NDArray[Any] | Sequence[ArrayLike]
 PARTS = ("descriptor", "regressor", "tracker", "fitter")
 """Parts of a model, by which its file names their arrays."""
 
+_LAG = 0.5  # seconds that a tracker waits for later masks where all are fitted together
+
 
 @dataclass
 class PoseModel:
@@ -109,20 +111,15 @@ class PoseModel:
             return Poses(self.explain(masks, blank).x, self.space)
         self._fitter()  # before time is spent on masks
         fitted = self.fit_body(self.explain(masks, blank), frames_per_second)
-        return Poses(fitted.x, self.space, fitted.iou, fitted.state)
+        return Poses(fitted.x, self.space, fitted.iou, fitted.state, fitted.confidence)
 
     def fit_body(self, details: PredictionDetails, frames_per_second: float | None = None) -> Fit:
-        """Fit the body to masks of consecutive frames, which `explain` has estimated poses for.
-
-        The poses of a tracker, if the model has one, are among the starts.
-        """
-        further = self.tracker.track(details.z).x[:, None] if self.tracker else None
+        """Fit the body to consecutive masks, from `explain`'s poses or, if there is one, a tracker's."""
+        lag = round(_LAG * self.frames_per_second)
+        tracked = self.tracker.track(details.z, lag=lag).x if self.tracker else None
+        rate = frames_per_second or self.frames_per_second
         return self._fitter().fit(
-            details.masks,
-            details.z,
-            details.x,
-            further=further,
-            frames_per_second=frames_per_second or self.frames_per_second,
+            details.masks, details.z, details.x, tracked=tracked, frames_per_second=rate
         )
 
     def explain(self, masks: str | Path | Masks, blank: str = "error") -> PredictionDetails:
@@ -180,7 +177,8 @@ class PoseModel:
         """
         if fit:
             parts = self._fitter(), self._descriptor_of, self._live_estimate()
-            return fitting_stream(*parts, self.frames_per_second)
+            tracked = self.tracker is not None
+            return fitting_stream(*parts, self.frames_per_second, tracked=tracked)
         running = self._tracker().start()
         return lambda mask: running.step(self._descriptor_of(mask))
 

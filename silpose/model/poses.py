@@ -28,12 +28,16 @@ class Poses:
         Overlap of the fitted body's silhouette and the mask, where the body was fitted.
     state : list of str, or None, default=None
         State of each frame's fit, likewise.
+    confidence : ndarray, shape (F,), or None, default=None
+        Probability that the heading is within 45 degrees and the joints within 120 mm, likewise;
+        below a half is doubtful.
     """
 
     x: Array
     space: PoseSpace
     iou: Array | None = None
     state: list[str] | None = None
+    confidence: Array | None = None
 
     def __len__(self) -> int:
         return len(self.x)

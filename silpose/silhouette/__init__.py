@@ -8,6 +8,7 @@ from silpose.silhouette.blank_masks import is_blank, visible
 from silpose.silhouette.body import BODIES, LEVELS, Body
 from silpose.silhouette.camera import Camera
 from silpose.silhouette.degradations import DEGRADATIONS, contour_damage, degrade
+from silpose.silhouette.foreign import FOREIGN, foreign_shape
 from silpose.silhouette.mask_files import MaskFiles, read_masks
 from silpose.silhouette.random_degradation import Degradation, Degrader
 from silpose.silhouette.render import fill_pieces, render
@@ -16,6 +17,7 @@ from silpose.silhouette.rigid_links import RigidLinks
 __all__ = [
     "BODIES",
     "DEGRADATIONS",
+    "FOREIGN",
     "LEVELS",
     "Body",
     "Camera",
@@ -26,6 +28,7 @@ __all__ = [
     "contour_damage",
     "degrade",
     "fill_pieces",
+    "foreign_shape",
     "is_blank",
     "read_masks",
     "render",

@@ -1,4 +1,4 @@
-"""Degradations of silhouettes: segmentation errors, occluders, shadows, a frame's edge.
+"""Degradations of silhouettes: segmentation errors, occluders, shadows, clothes, a frame's edge.
 
 Each kind of degradation has a strength from 0 (nothing happens) to 1, whose meaning its function
 states relative to the person, so that it is the same at any resolution. Where hardly anything would
@@ -9,7 +9,6 @@ unless it was blank before.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -17,35 +16,11 @@ from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
 from silpose.core.types import Array32, Mask
+from silpose.silhouette.box import Box
+from silpose.silhouette.worn import bag, coat
 
 LEAST = 0.05
 """Share of the person that is always left."""
-
-
-@dataclass(frozen=True)
-class Box:
-    """Rows and columns that a person covers, pixels, the last ones excluded."""
-
-    top: int
-    bottom: int
-    left: int
-    right: int
-
-    @classmethod
-    def of(cls, mask: Mask) -> Box:
-        """Bounding box of a mask's foreground."""
-        left, top, width, height = cv2.boundingRect(mask)
-        return cls(top, top + height, left, left + width)
-
-    @property
-    def height(self) -> int:
-        """Height of the person, pixels."""
-        return self.bottom - self.top
-
-    @property
-    def width(self) -> int:
-        """Width of the person, pixels."""
-        return self.right - self.left
 
 
 def degrade(mask: Mask, kind: str, strength: float, rng: np.random.Generator) -> Mask:
@@ -221,7 +196,7 @@ DEGRADATIONS: Mapping[str, Kind] = {
     kind.__name__: kind
     for kind in (
         *(boundary_noise, holes, missing_limb, swollen_limb, shadow),
-        *(horizontal_occluder, vertical_occluder, low_resolution, frame_cut),
+        *(horizontal_occluder, vertical_occluder, low_resolution, frame_cut, bag, coat),
     )
 }
 

@@ -24,8 +24,10 @@ class Degradation:
     Parameters
     ----------
     train : list of str or None, default=None
-        Kinds (`silpose.silhouette.DEGRADATIONS`, and ``"none"``) to draw from for the masks of
-        training and validation, one for each frame. None leaves all masks as they are.
+        Kinds to draw from for the masks of training and validation, one for each frame:
+        ``boundary_noise``, ``holes``, ``missing_limb``, ``swollen_limb``, ``shadow``,
+        ``horizontal_occluder``, ``vertical_occluder``, ``low_resolution``, ``frame_cut``, ``bag``,
+        ``coat``, and ``none``. None leaves all masks as they are.
     test : list of str or None, default=None
         Kinds to draw from for the masks of testing.
     strength : float or [float, float], default=0.5
@@ -34,8 +36,8 @@ class Degradation:
         The same seed, take and frame give the same damage.
     lasting : bool, default=False
         Draw kind, strength and place once for each take, as of an occluder that stays where it is,
-        a bag that is carried, or a coat: the place is the same relative to the person's bounding
-        box. Otherwise every frame is damaged by itself.
+        a bag that is carried, or a coat: the place is the same relative to the person. Otherwise
+        every frame is damaged by itself.
 
     Raises
     ------

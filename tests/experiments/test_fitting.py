@@ -7,7 +7,7 @@ from silpose.evaluation import BASELINES
 from silpose.recording import read_poses
 
 FITTED = {"fitted", "fitted_live", "fitted_take", "fitted_take_estimated"}
-FITTED |= {"fitted_from_tracker", "fitted_from_mean_pose"}
+FITTED |= {"fitted_from_ridge", "fitted_from_hypotheses", "fitted_from_mean_pose"}
 
 
 @pytest.fixture(scope="module")
@@ -16,7 +16,7 @@ def fitting(run, walkers):
 
 
 def test_fits_stand_beside_what_they_start_from_and_all_baselines(fitting):
-    before = {"ridge", "tracker", "tracker_lag"}
+    before = {"ridge", "tracker", "tracker_lag", "hypotheses_lag"}
     assert set(fitting.metrics) == {*BASELINES} | before | FITTED
     error, joints = fitting.values("mean_angular_error_deg"), fitting.values("mpjpe_mm")
     assert error["fitted_take"] < error["ridge"]

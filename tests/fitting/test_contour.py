@@ -35,3 +35,16 @@ def test_anything_but_0_is_foreground(foreground):
     mask = np.zeros((40, 40), np.asarray(foreground).dtype)
     mask[10:30, 10:30] = foreground
     assert len(contour_of(mask).pixels) > 20
+
+
+def test_an_enlarged_contour_is_where_that_of_the_enlarged_mask_is():
+    mask = np.zeros((40, 40), np.uint8)
+    cv2.circle(mask, (20, 20), 12, 1, -1)
+    away = contour_of(mask, 4.0).pixels - (4 * 20.5 - 0.5)
+    assert np.linalg.norm(away, axis=1) == pytest.approx(46, abs=3)
+
+
+def test_a_very_long_contour_is_thinned():
+    noise = (np.random.default_rng(0).random((900, 900)) > 0.5).astype(np.uint8)
+    contour = contour_of(noise)
+    assert 300 < len(contour.pixels) <= 1000 and contour.pixels.flags.c_contiguous

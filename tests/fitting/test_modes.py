@@ -4,7 +4,14 @@ import pytest
 from silpose.core.pose_space import ANGLES
 from silpose.core.skeleton import POINTS
 from silpose.fitting import BodyFitter
-from silpose.fitting.modes import distinct, legs_swapped, most_likely_path, weights_of
+from silpose.fitting.modes import (
+    Modes,
+    distinct,
+    legs_swapped,
+    most_likely_path,
+    spread_around,
+    weights_of,
+)
 
 TIGHT, LOOSE = 0.01 * np.eye(54), 1e6 * np.eye(54)
 
@@ -93,3 +100,12 @@ def test_modes_come_out_with_weights(body, camera, prior, walk, estimated):
     assert (np.diff(fit.mode_weights, axis=1) <= 1e-12).all()
     assert (fit.mode_weights[np.isnan(fit.modes[:, :, 0])] == 0).all()
     assert fit.modes.shape[1] >= 2
+
+
+def test_other_modes_add_to_the_spread_of_the_chosen_one():
+    parameters = np.zeros((2, 54))
+    parameters[1, 7] = 0.4
+    alike = Modes(parameters, np.zeros((2, 54, 54)), np.zeros(2))
+    assert spread_around(alike, 0)[7, 7] == pytest.approx(0.5 * 0.4**2)
+    sure = alike._replace(costs=np.array([0.0, 200.0]))
+    assert spread_around(sure, 0).max() == pytest.approx(0, abs=1e-12)

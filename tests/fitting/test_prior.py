@@ -5,6 +5,7 @@ from synthetic import swinging
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.fitting import PosePrior
+from silpose.fitting.prior import news
 
 
 def test_the_covariance_is_that_of_the_errors():
@@ -35,3 +36,8 @@ def test_too_few_frames_are_refused():
 def test_impossible_times_are_refused(wrong):
     with pytest.raises(InputError, match="lasts for a share below 1"):
         PosePrior(np.eye(54), np.eye(54), **wrong)
+
+
+def test_what_is_new_in_a_frame_grows_with_the_time_since_the_last():
+    shares = [news(step, 0.15) for step in (1e-3, 1 / 60, 1 / 15, 1.0, 10.0)]
+    assert shares == sorted(shares) and 0 < shares[0] < 0.01 and shares[-1] > 0.99
