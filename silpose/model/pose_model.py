@@ -114,7 +114,7 @@ class PoseModel:
         return Poses(fitted.x, self.space, fitted.iou, fitted.state, fitted.confidence)
 
     def fit_body(self, details: PredictionDetails, frames_per_second: float | None = None) -> Fit:
-        """Fit the body to consecutive masks, from `explain`'s poses or, if there is one, a tracker's."""
+        """Fit the body to consecutive masks, from the tracker's poses if the model has one."""
         lag = round(_LAG * self.frames_per_second)
         tracked = self.tracker.track(details.z, lag=lag).x if self.tracker else None
         rate = frames_per_second or self.frames_per_second
