@@ -9,8 +9,9 @@ from timing import FAST, per_second, report
 
 from silpose.dataset import render_take
 from silpose.descriptor import ShapeContextHistogram
-from silpose.descriptor.boundary import boundary_pixels, extent, spaced_indices
-from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
+from silpose.descriptor.boundary import boundary_pixels
+from silpose.descriptor.description import EdgeContexts
+from silpose.descriptor.subpixel import lattice_boundary
 from silpose.descriptor.voting import soft_votes
 from silpose.motion import WalkerTakes
 from silpose.silhouette import Body, Camera
@@ -33,12 +34,9 @@ def rough_masks(count: int) -> list[np.ndarray]:
 def steps(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> dict[str, float]:
     """Masks per second of each step alone."""
     outlines = [boundary_pixels(mask) for mask in masks]
-    pixels = [p for p, _ in outlines]
-    points = [description.points for description in histogram.describe(masks)]
+    extractor = EdgeContexts.of(histogram)
+    edges = [extractor.edge(mask) for mask in masks]
     contexts = [description.contexts for description in histogram.describe(masks)]
-    reaches = [histogram.radius * extent(p) for p in pixels]
-    bounds = [ring_bounds(reach, histogram.inner_radius * reach, 5) for reach in reaches]
-    sectors = sector_table(64, 12)
     centres = np.ascontiguousarray(histogram.codebook_.T)
     norms = (histogram.codebook_**2).sum(axis=1)
     voters, width = histogram.voters, histogram.vote_width_
@@ -46,11 +44,11 @@ def steps(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> dict[str
         "cv2.findContours alone, the lower limit": lambda: [
             cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE) for mask in masks
         ],
-        "boundary, with findContours": lambda: [boundary_pixels(mask) for mask in masks],
-        "edge points": lambda: [spaced_indices(p, n, 200, 0.0) for p, n in outlines],
+        "boundary pixels, with findContours": lambda: [boundary_pixels(mask) for mask in masks],
+        "boundary between the pixels, from these": lambda: [lattice_boundary(*o) for o in outlines],
+        "mask to edge points": lambda: [extractor.edge(mask) for mask in masks],
         "shape contexts": lambda: [
-            shape_contexts(p, chosen, b, sectors, 12)
-            for p, chosen, b in zip(pixels, points, bounds, strict=True)
+            extractor.contexts(edge, edge.chosen, extractor.rings(edge)) for edge in edges
         ],
         "soft votes": lambda: [soft_votes(c, centres, norms, voters, width) for c in contexts],
     }
@@ -58,7 +56,7 @@ def steps(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> dict[str
 
 
 def in_numpy(histogram: ShapeContextHistogram, masks: list[np.ndarray]) -> float:
-    """Masks per second of the same definition in NumPy."""
+    """Masks per second of the definition along pixels, in NumPy."""
     descriptions = histogram.describe(masks)
 
     def describe() -> None:
@@ -76,13 +74,15 @@ if __name__ == "__main__":
     masks = rough_masks(30 if FAST else 200)
     pixels = int(np.mean([len(boundary_pixels(mask)[0]) for mask in masks]))
     histogram = ShapeContextHistogram(n_jobs=1).fit(masks)
+    along_pixels = ShapeContextHistogram(boundary="pixels", n_jobs=1).fit(masks)
     everywhere = ShapeContextHistogram(edge_points=None, n_jobs=1).fit(masks)
     closed = ShapeContextHistogram(closing=0.07, n_jobs=1).fit(masks)
     all_centres = ShapeContextHistogram(voters=None, n_jobs=1).fit(masks)
     rates = {}
     for name, one in {
         "mask to z, 200 edge points": histogram,
-        f"mask to z, all {pixels} points": everywhere,
+        "mask to z, 200 edge points on pixels": along_pixels,
+        "mask to z, all points": everywhere,
         "mask to z, 200 points vote for all centres": all_centres,
         "mask to z, 200 points, gaps closed": closed,
     }.items():
@@ -92,7 +92,9 @@ if __name__ == "__main__":
         rates[f"{name}, two cores"] = per_second(
             lambda both=both, many=many: both.transform(many), len(many)
         )
-    rates["in NumPy, 200 edge points"] = in_numpy(histogram, masks[: 3 if FAST else 40])
+    rates["in NumPy, 200 edge points on pixels"] = in_numpy(
+        along_pixels, masks[: 3 if FAST else 40]
+    )
     report(
         f"{len(masks)} masks of 256 x 256, {pixels} boundary pixels on average, one core",
         ["what", "masks per second", "µs a mask"],

@@ -88,17 +88,18 @@ errors = {method: values["mean_angular_error_deg"] for method, values in run.met
 print(f"error on the test file {errors['rvm']:.1f}°; of the mean pose {errors['mean_pose']:.1f}°")
 
 # %% [markdown]
-# **4. Are the masks correct?** One whole person, white on black, of any size.
+# **4. Are the masks correct?** One whole person, of any size and any usual encoding; `encoding`
+# says how they were read.
 #
-# *What may go wrong:* black on white (invert them), grey edges (the threshold is half of the
-# brightest value), limbs out of the frame, a floor or a shadow that is white as well. silpose does
-# not segment images: use any segmentation or, with a camera that stands still,
+# *What may go wrong:* limbs out of the frame, a floor or a shadow that is white as well. silpose
+# does not segment images: use any segmentation or, with a camera that stands still,
 # `cv2.createBackgroundSubtractorMOG2()`.
 
 # %%
 from silpose.silhouette import read_masks
 
 images = read_masks(masks)
+print(images.encoding)
 print(
     f"{len(images)} masks of {images[0].shape} pixels, {images[0].mean():.0%} of the first is white"
 )
@@ -109,17 +110,18 @@ for axes, mask in zip(row, images[:: max(1, len(images) // 8)], strict=False):
 plt.show()
 
 # %% [markdown]
-# **5. Poses,** as numbers; `blank="nan"` gives a row of NaN where a mask is blank. A heading norm
-# far below 1 means that the silhouette is ambiguous, or unlike all silhouettes of training.
+# **5. Poses,** as numbers; `blank="nan"` gives a row of NaN where a mask is blank. Confidence
+# is the probability that the pose is about right: below 0.5, do not trust it.
 
 # %%
 poses = run.model.predict(masks, blank="nan")
+print(poses.summary())
 print(f"joints in metres {poses.joints.shape}: {', '.join(poses.space.joint_names[:6])}, …")
 _, (above, below) = plt.subplots(2, figsize=(12, 4), sharex=True)
 above.plot(poses.heading, ".")
 above.set(ylabel="heading, degrees", yticks=[-180, -90, 0, 90, 180])
-below.plot(poses.heading_norm)
-below.set(ylabel="heading norm", xlabel="frame", ylim=(0, 1.3))
+below.plot(poses.confidence)
+below.set(ylabel="confidence", xlabel="frame", ylim=(0, 1.05))
 plt.show()
 
 # %% [markdown]

@@ -13,7 +13,8 @@ from silpose.regression import (
     RegressionCandidates,
     RidgeRegressor,
 )
-from silpose.silhouette import Camera, MaskFiles
+from silpose.silhouette import Camera
+from silpose.silhouette.masks import MaskSource
 from silpose.tracking import (
     BeliefTracker,
     MultipleHypothesisTracker,
@@ -70,7 +71,7 @@ def components_of(dataset, source, codebook_size=40, camera=SMALL, **others):
         RenderedOnce(dataset),
         Renderer(source, camera=camera),
         camera,
-        MaskFiles(),
+        MaskSource(),
         ShapeContextHistogram(codebook_size=codebook_size),
         REGRESSION,
         TRACKING,

@@ -15,6 +15,7 @@ from omegaconf.errors import OmegaConfBaseException
 from silpose.app.conf_folder import config_folder, groups
 from silpose.app.schema import register
 from silpose.app.suggestions import nearest
+from silpose.app.typed_paths import with_paths_quoted
 from silpose.core.errors import InputError
 
 
@@ -35,6 +36,7 @@ def load(overrides: Sequence[str] = ()) -> DictConfig:
     InputError
         If there is no such choice or setting; it names the nearest.
     """
+    overrides = with_paths_quoted(overrides)
     try:
         settings = _compose(overrides)
     except HydraException as error:

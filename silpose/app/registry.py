@@ -66,7 +66,7 @@ ALTERNATIVES: dict[str, dict[str, Component]] = {
 
 COMPONENTS: dict[str, Component] = {
     "": Component("silpose.app.run:RunOptions"),
-    "silhouette": Component("silpose.silhouette:MaskFiles"),
+    "silhouette": Component("silpose.silhouette.masks:MaskSource"),
     "silhouette.body": Component("silpose.silhouette:Body"),
     "silhouette.camera": Component("silpose.silhouette:Camera"),
     "silhouette.scenes": Component("silpose.dataset:SceneSampler"),

@@ -15,12 +15,15 @@ def summarise(run: FinishedRun) -> None:
     console = Console()
     if run.metrics:
         console.print(results(run))
+    if run.summary:
+        console.print(run.summary, highlight=False, soft_wrap=True)
     took = ", ".join(f"{stage} {s:.1f} s" for stage, s in run.seconds.items())
     console.print(f"[dim]{took}[/dim]", soft_wrap=True)
-    if run.recording.is_file():
+    if recorded := run.recording.is_file():
         console.print(f"Open it:  {rerun_command()} {shorten_path(run.recording)}", soft_wrap=True)
+    place = "beside it" if recorded else f"in {shorten_path(run.folder)}"
     beside = sorted(f.name for f in run.folder.iterdir() if f != run.recording)
-    console.print(f"[dim]beside it: {', '.join(beside)}[/dim]", soft_wrap=True)
+    console.print(f"[dim]{place}: {', '.join(beside)}[/dim]", soft_wrap=True)
 
 
 def results(run: FinishedRun) -> Table:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,6 +9,7 @@ from pathlib import Path
 
 from silpose.app.commands import TOOLS
 from silpose.app.conf_folder import groups
+from silpose.app.typed_paths import quoted
 from silpose.core.errors import InputError
 
 
@@ -37,6 +37,11 @@ EXPERIMENT_VERBS = {
         ("experiment=predict", "silhouette=masks"),
         "silhouette.source",
     ),
+    "masks": Verb(
+        "how masks are read, and what is in them",
+        ("experiment=masks", "silhouette=masks", "recording=none"),
+        "silhouette.source",
+    ),
 }
 """A new verb takes one entry here."""
 
@@ -56,6 +61,11 @@ def overrides_of(verb: str, arguments: Sequence[str]) -> list[str]:
     path, *rest = arguments
     if "=" in path and not Path(path).exists():
         raise InputError(f"there is no file '{path}'; the path comes first: {usage(verb)}")
+    if rest and "=" not in rest[0] and Path(rest[0]).exists():
+        raise InputError(
+            f"'{verb}' takes one path, not '{path}' and '{rest[0]}': give the folder that holds "
+            f"them, '{Path(path).parent}'"
+        )
     short_for = EXPERIMENT_VERBS[verb]
     return [*short_for.overrides, f"{short_for.source}={quoted(path)}", *rest]
 
@@ -70,13 +80,6 @@ def verb_help(verb: str) -> str:
     short_for = EXPERIMENT_VERBS[verb]
     stands_for = " ".join((*short_for.overrides, f"{short_for.source}=PATH"))
     return f"{usage(verb)}\n\n{short_for.help}; short for {stands_for}"
-
-
-def quoted(text: str) -> str:
-    """Quote text so that Hydra reads it back as it is."""
-    text = re.sub(r"(\\*)\$\{", lambda found: found[1] * 2 + r"\${", text)  # no interpolation
-    text = re.sub(r"(\\*)('|$)", lambda found: found[1] * 2 + (found[2] and r"\'"), text)
-    return f"'{text}'"
 
 
 def help_text() -> str:

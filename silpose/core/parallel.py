@@ -5,7 +5,7 @@ All parallel work is done here, so that another engine has to be known in one pl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from os import cpu_count, getpid
 from typing import Literal, TypeVar
@@ -19,6 +19,9 @@ from silpose.core.progress import bar
 
 Item = TypeVar("Item")
 Outcome = TypeVar("Outcome")
+
+
+_most_threads = 1_000_000  # of `thread_map`
 
 
 def parallel_map(
@@ -60,6 +63,31 @@ def parallel_map(
     return outcomes
 
 
+def parallel_stream(
+    function: Callable[[Item], Outcome], items: Sequence[Item], *, description: str = ""
+) -> Iterator[Outcome]:
+    """Apply a function to every item in several processes, as `parallel_map` does.
+
+    Parameters
+    ----------
+    function : callable
+    items : sequence
+    description : str, default=""
+        Shown beside the progress bar; if empty there is no bar.
+
+    Yields
+    ------
+    outcome : object
+        As soon as it is there: not in the order of the items, and none is kept.
+    """
+    _, n_jobs = get_active_backend()
+    workers = Parallel(n_jobs, return_as="generator_unordered")
+    with threadpool_limits(1), bar(description, len(items)) as advance:
+        for outcome in workers(delayed(_on_one_thread)(function, item, getpid()) for item in items):
+            yield outcome
+            advance(1)
+
+
 def thread_map(
     function: Callable[[int], Outcome], count: int, n_jobs: int | None = None
 ) -> list[Outcome]:
@@ -77,7 +105,7 @@ def thread_map(
     outcomes : list
         In order.
     """
-    threads = min(n_jobs or cpu_count() or 1, count)
+    threads = min(n_jobs or cpu_count() or 1, count, _most_threads)
     if threads <= 1:
         return [function(index) for index in range(count)]
     blocks = np.array_split(np.arange(count), min(8 * threads, count))
@@ -87,7 +115,9 @@ def thread_map(
 
 
 def _on_one_thread(function: Callable[[Item], Outcome], item: Item, caller: int) -> Outcome:
+    global _most_threads
     if getpid() == caller:
         return function(item)
+    _most_threads = 1  # the other processors have processes of their own
     with threadpool_limits(1):  # in a process of its own, the caller's limit does not hold
         return function(item)

@@ -66,7 +66,7 @@ class LazyMasks:
     def __array__(self, dtype: object = None, copy: object = None) -> Masks:
         return np.stack(list(self))
 
-    def part(self, frames: slice) -> LazyMasks:
+    def part(self, frames: slice | Indices) -> LazyMasks:
         """Masks of some frames, not rendered yet."""
         return replace(
             self, x=self.x[frames], offset=self.offset[frames], frames=self._frames[frames]

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from silpose.core.errors import InputError
+from silpose.dataset.views import seen_from
 from silpose.motion import Motion, mirrored
 from silpose.silhouette import Body, Camera
 
@@ -60,6 +61,12 @@ class SceneSampler:
         Focal length of the camera, image heights.
     distance : [float, float] or None, default=None
         Distance of the camera, metres.
+    views : list of float or None, default=None
+        Directions of straight walks relative to the camera, degrees: 0 comes towards it, positive
+        ones turn to the right in the image. Every take is divided among them, also those of
+        validation and test. None leaves headings as they are.
+    view_change : float, default=0.0
+        Degrees by which the direction changes in each view, as that of a passing person does.
     seed : int, default=0
         Seed of all draws.
 
@@ -76,6 +83,8 @@ class SceneSampler:
     elevation: list[float] | None = None
     focal_length: list[float] | None = None
     distance: list[float] | None = None
+    views: list[float] | None = None
+    view_change: float = 0.0
     seed: int = 0
 
     def __post_init__(self) -> None:
@@ -85,10 +94,16 @@ class SceneSampler:
             ends = getattr(self, name)
             if ends is not None and (len(ends) != 2 or not ends[0] <= ends[1]):
                 raise InputError(f"silhouette.scenes.{name} must be [lowest, highest], not {ends}")
+        if self.views is not None and (self.around or not self.views):
+            raise InputError(
+                "silhouette.scenes.views needs at least one view and scenes.around=false"
+            )
 
     def plain(self) -> SceneSampler:
-        """Sampler with the one body and the one camera, spread around as here."""
-        return SceneSampler(around=self.around, seed=self.seed)
+        """Sampler with the one body and the one camera, spread around or in views as here."""
+        return SceneSampler(
+            around=self.around, views=self.views, view_change=self.view_change, seed=self.seed
+        )
 
     def balanced(self, motions: Sequence[Motion]) -> SceneSampler:
         """Sampler of as many frames of every performer as the one with the fewest has."""
@@ -126,6 +141,9 @@ class SceneSampler:
         parts = (
             stretches(motions, self.frames, rng) if self.frames else [(m, m.name) for m in motions]
         )
+        if self.views is not None:
+            camera = replace(camera, azimuth=0.0, orbit=0.0)
+            parts = self._in_views(list(parts), self.views)
         first = rng.uniform(0, 360)
         scenes = []
         for k, (motion, name) in enumerate(parts):
@@ -137,6 +155,16 @@ class SceneSampler:
             motion = mirrored(motion) if self.mirror and k // 2 % 2 else motion
             scenes.append(Scene(motion, own_body, replace(camera, **changed), name))
         return scenes
+
+    def _in_views(
+        self, parts: Sequence[tuple[Motion, str]], views: Sequence[float]
+    ) -> list[tuple[Motion, str]]:
+        """Divide motions among the views, each beginning with another one."""
+        return [
+            (replace(part, name=motion.name), name + part.name.removeprefix(motion.name))
+            for k, (motion, name) in enumerate(parts)
+            for part in seen_from(motion, views, self.view_change, k)
+        ]
 
     def _draw(self, name: str, rng: np.random.Generator) -> float:
         lowest, highest = getattr(self, name)

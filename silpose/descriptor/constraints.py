@@ -13,12 +13,14 @@ from silpose.core.parameters import (
     one_of,
 )
 from silpose.descriptor.codebook import METHODS
+from silpose.descriptor.description import BOUNDARIES
 
 NORMALISATIONS = ("sum", "mean", "none")
 
 _FINITE = Constraint("positive", lambda value: POSITIVE.holds(value) and value < np.inf)
 
 CONSTRAINTS: Constraints = {
+    "boundary": one_of(*BOUNDARIES),
     "edge_points": POSITIVE_INTEGER.or_none(),
     "spacing": _FINITE.or_none(),
     "closing": PROBABILITY,

@@ -25,9 +25,14 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
 
     Parameters
     ----------
+    boundary : {"subpixel", "pixels"}, default="subpixel"
+        Where the boundary is: on a smooth curve between the pixels, so that a person has much the
+        same histogram at any resolution; or on the outermost pixels themselves, as of models that
+        were saved before there was a choice.
     edge_points : int or None, default=200
         Number of regularly spaced points on the boundary at which contexts are computed; None
-        computes one at every boundary pixel.
+        computes one at every point of the boundary: at every pixel, or 56 to a length that equals
+        the silhouette's size.
     spacing : float or None, default=None
         Distance of the edge points along the boundary, relative to the silhouette's size; replaces
         `edge_points`.
@@ -91,6 +96,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
     def __init__(
         self,
         *,
+        boundary: str = "subpixel",
         edge_points: int | None = 200,
         spacing: float | None = None,
         closing: float = 0.0,
@@ -107,6 +113,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         random_state: int | None = 0,
         n_jobs: int | None = None,
     ) -> None:
+        self.boundary = boundary
         self.edge_points = edge_points
         self.spacing = spacing
         self.closing = closing
@@ -150,10 +157,10 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         seeds = np.random.SeedSequence(self.random_state).spawn(len(masks))
 
         def some_contexts(index: int) -> Array32:
-            pixels, points = extractor.edge(as_mask(masks[index], index))
-            few = min(share, len(points))
-            chosen = np.random.default_rng(seeds[index]).choice(len(points), few, replace=False)
-            return extractor.contexts(pixels, points[chosen], extractor.rings(pixels))
+            edge = extractor.edge(as_mask(masks[index], index))
+            few, points = min(share, len(edge.chosen)), len(edge.chosen)
+            some = np.random.default_rng(seeds[index]).choice(points, few, replace=False)
+            return extractor.contexts(edge, edge.chosen[some], extractor.rings(edge))
 
         contexts = np.concatenate(thread_map(some_contexts, len(masks), self.n_jobs))
         self.codebook_ = learn_codebook(
@@ -200,12 +207,12 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         width = max(self.vote_width_, 1e-9)
 
         def description(index: int) -> Description:
-            pixels, points = extractor.edge(as_mask(masks[index], index))
-            rings = extractor.rings(pixels)
-            contexts = extractor.contexts(pixels, points, rings)
+            edge = extractor.edge(as_mask(masks[index], index))
+            rings = extractor.rings(edge)
+            contexts = extractor.contexts(edge, edge.chosen, rings)
             votes, nearest = soft_votes(contexts, transposed, norms, voters, width)
-            z = self._normalised(votes, len(points))
-            return Description(points, contexts, nearest, z, rings)
+            z = self._normalised(votes, len(edge.points))
+            return Description(edge.points, contexts, nearest, z, edge.unit * rings)
 
         return thread_map(description, len(masks), self.n_jobs)
 
@@ -222,7 +229,8 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
     @classmethod
     def from_arrays(cls, state: State) -> ShapeContextHistogram:
         """Restore an estimator from what `to_arrays` returned."""
-        return estimator_from(cls, state, _FITTED)
+        # What was saved before there was a choice of boundaries followed the pixels.
+        return estimator_from(cls, {"boundary": "pixels"} | state, _FITTED)
 
     def _normalised(self, votes: Array, points: int) -> Array:
         if self.normalisation == "none":

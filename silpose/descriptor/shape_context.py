@@ -6,12 +6,17 @@ rotated, as the vertical is known (section II-A of the paper).
 
 from __future__ import annotations
 
+from functools import lru_cache
+from typing import NamedTuple
+
 import numba
 import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.types import Array, Array32
 from silpose.descriptor.boundary import Pixels
+
+_STEP = 64  # between the widths of tables that boundaries share
 
 
 def ring_bounds(radius: float, inner_radius: float, radial_bins: int) -> Array:
@@ -51,19 +56,55 @@ def sector_table(reach: int, angular_bins: int) -> NDArray[np.int16]:
     return (np.floor(turns * angular_bins + 0.5).astype(int) % angular_bins).astype(np.int16)
 
 
+class ContextBins(NamedTuple):
+    """Bin of every offset between two points of a boundary.
+
+    Attributes
+    ----------
+    table : ndarray of int
+        At the address ``(dy + reach) * width + dx + width // 2``; the last bin is that of offsets
+        out of reach, and of the point itself.
+    reach : int
+        Largest offset that has a bin.
+    width : int
+        Of a row; no two offsets share an address.
+    bins : int
+        Number of bins, the last one excluded.
+    """
+
+    table: NDArray[np.uint16]
+    reach: int
+    width: int
+    bins: int
+
+    @classmethod
+    def of(cls, bounds: Array, angular_bins: int, across: int, keep: bool = False) -> ContextBins:
+        """Fill in the table for one boundary.
+
+        Parameters
+        ----------
+        bounds : ndarray, shape (radial_bins,)
+            Outer radius of each ring.
+        angular_bins : int
+        across : int
+            Largest offset in x that is looked up.
+        keep : bool, default=False
+            Whether the bounds are those of many masks, which then share a table.
+        """
+        across = max(across, int(bounds[-1]))
+        if keep:  # a few widths only
+            return _shared(bounds.tobytes(), angular_bins, _STEP * (across // _STEP + 1))
+        return _filled(bounds, angular_bins, across)
+
+
 @numba.njit(cache=True, nogil=True)
 def shape_contexts(
-    pixels: Pixels,
-    points: Pixels,
-    bounds: Array,
-    sectors: NDArray[np.int16],
-    angular_bins: int,
+    pixels: Pixels, points: Pixels, offsets: ContextBins
 ) -> Array32:  # pragma: no cover
     """Histogram the boundary around each point.
 
-    All offsets are integers, so that an offset's bin is looked up in a table that is made once per
-    mask. With pixels sorted by row, an offset is one difference of addresses, and only the rows
-    within reach are visited.
+    All offsets are integers, so that an offset's bin is looked up in a table. With pixels sorted by
+    row, an offset is one difference of addresses, and only the rows within reach are visited.
 
     Parameters
     ----------
@@ -71,25 +112,19 @@ def shape_contexts(
         Boundary, x and y.
     points : ndarray of int, shape (P, 2)
         Edge points, each on the boundary.
-    bounds : ndarray, shape (radial_bins,)
-        Outer radius of each ring, pixels.
-    sectors : ndarray of int
-        `sector_table` with a reach of at least the last bound.
-    angular_bins : int
+    offsets : ContextBins
+        Its `across` is at least the boundary's width.
 
     Returns
     -------
     contexts : ndarray, shape (P, radial_bins * angular_bins)
         Each sums to 1, ring after ring; it is zero for a point without any other pixel in reach.
     """
-    reach = int(bounds[-1])
-    left, right = pixels[:, 0].min(), pixels[:, 0].max()
-    width = 2 * max(right - left, reach) + 1  # two offsets never share an address
-    table = _bins_of_offsets(bounds, sectors, angular_bins, reach, width)
+    table, reach, width, bins = offsets
+    left = pixels[:, 0].min()
     top, first, addresses = _in_rows(pixels, left, width)
     centre = reach * width + width // 2
 
-    bins = len(bounds) * angular_bins
     contexts = np.zeros((len(points), bins), np.float32)
     counts = np.zeros((2, bins + 1), np.int32)
     for p in range(len(points)):
@@ -110,6 +145,22 @@ def shape_contexts(
     return contexts
 
 
+def _filled(bounds: Array, angular_bins: int, across: int) -> ContextBins:
+    reach, width = int(bounds[-1]), 2 * across + 1
+    # Tables of sectors have a few sizes only, so that most masks share one.
+    sectors = _sectors(64 * (reach // 64 + 1), angular_bins)
+    table = _bins_of_offsets(bounds, sectors, angular_bins, reach, width)
+    return ContextBins(table, reach, width, len(bounds) * angular_bins)
+
+
+_sectors = lru_cache(maxsize=8)(sector_table)
+
+
+@lru_cache(maxsize=32)
+def _shared(bounds: bytes, angular_bins: int, across: int) -> ContextBins:
+    return _filled(np.frombuffer(bounds), angular_bins, across)
+
+
 @numba.njit(cache=True, nogil=True)
 def _bins_of_offsets(
     bounds: Array,
@@ -118,10 +169,7 @@ def _bins_of_offsets(
     reach: int,
     width: int,
 ) -> NDArray[np.uint16]:  # pragma: no cover
-    """Bin of every offset, at the address ``(dy + reach) * width + dx + width // 2``.
-
-    The last bin is that of offsets out of reach, and of the point itself.
-    """
+    """Table of `ContextBins`."""
     table = np.full((2 * reach + 1) * width, len(bounds) * angular_bins, np.uint16)
     limits = bounds**2
     middle = len(sectors) // 2

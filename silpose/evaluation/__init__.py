@@ -29,12 +29,15 @@ from silpose.evaluation.recovery import (
     blank_trials,
     cut_trials,
 )
+from silpose.evaluation.right_poses import HEADING_DEG, JOINTS_MM, right_poses
 from silpose.evaluation.thigh_swing import thigh_swing
 
 __all__ = [
     "BASELINES",
+    "HEADING_DEG",
     "HEADING_LIMIT_DEG",
     "HEADLINES",
+    "JOINTS_MM",
     "KINDS",
     "METRICS",
     "TWIST_ANGLES",
@@ -62,6 +65,7 @@ __all__ = [
     "measure",
     "neighbour_modes",
     "oracle",
+    "right_poses",
     "thigh_swing",
     "twist_errors",
 ]

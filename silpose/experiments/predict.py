@@ -1,9 +1,8 @@
-"""Poses for masks of one's own."""
+"""Poses for masks of one's own: of one source, or of a tree of takes."""
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -11,24 +10,42 @@ from pathlib import Path
 import numpy as np
 
 from silpose.core.errors import InputError
-from silpose.core.stages import timed
+from silpose.core.stages import stage, timed
+from silpose.experiments.predict_figure import prediction_figure
 from silpose.experiments.setup import Components, fitter_of_model, prepare
 from silpose.fitting import TOLERATED, FittingOptions
-from silpose.model import PoseModel, Poses, PredictionDetails, load
+from silpose.model import (
+    PoseModel,
+    Poses,
+    PredictionDetails,
+    load,
+    pose_csv,
+    predict_tree,
+    see_masks,
+)
 from silpose.recording import Recording, Result, record_prediction
 from silpose.regression import check_methods
-from silpose.silhouette import MaskFiles
+from silpose.silhouette.mask_tree import is_tree
+from silpose.silhouette.masks import MaskSequence, MaskSource, read_masks
 
 _ESTIMATE = "try fitting.camera=estimated fitting.shape=estimated"
 
 
 def predict(
-    components: Components, *, model: str | None = None, show: str = "rvm", lag: float = 0.5
+    components: Components,
+    *,
+    model: str | None = None,
+    show: str = "rvm",
+    lag: float = 0.5,
+    into: str | None = None,
+    pattern: str | None = None,
+    table: str = "csv",
 ) -> Result:
     """Estimate the pose behind each of the user's masks; the table ``poses.csv`` holds them.
 
-    With ``fitting.enabled=true`` the body is fitted to the masks, as the settings of this run say
-    and not those that the model was trained with.
+    With ``fitting.enabled=true`` the body is fitted to the masks, as in the model's training but
+    for settings of ``fitting`` that differ from their defaults. A folder of folders of masks is a
+    tree of takes, each of which gets a table of its own.
 
     Parameters
     ----------
@@ -39,31 +56,53 @@ def predict(
         The regression method that is trained.
     lag : float, default=0.5
         Seconds that a model that tracks (of ``experiment=tracking``) may wait for later frames.
+    into : str, optional
+        Folder of the tables of a tree, by default its name with ``_poses``; what is finished there
+        is not done again.
+    pattern : str, optional
+        Levels of a tree, such as ``subject/sequence/view`` or, for some of them, ``*/nm-*/090``;
+        without, takes may be at any depth.
+    table : str, default="csv"
+        Kind of the tables of a tree, csv or parquet.
     """
     check_methods([show])
-    files = components.masks
-    masks = files.read()
-    fitted = load(model) if model else _train(components, show)
-    if components.fitting.enabled:
+    own = components.masks
+    if own.source is None:
+        raise InputError("there are no masks: add silhouette=masks silhouette.source=FOLDER")
+    source = own.source
+    several = pattern is not None or is_tree(source)
+    known = load(model) if model else None
+    if known is not None and known.tracker is not None:  # to which blank masks belong
+        own = replace(own, blank="nan")
+    masks = None if several else _read(own, judge=known is None)  # before time is spent on training
+    fitted = known or _train(components, show)
+    fit = components.fitting.enabled
+    if fit:
         fitted = _with_options(fitted, components.fitting)
-        details, poses = _fit(fitted, masks, files)
-    else:
-        details, poses = _predict(fitted, masks, files, lag)
+    if masks is None:
+        with stage("takes"):
+            answer = predict_tree(
+                fitted, source, into,
+                pattern=pattern, options=own, lag=lag, fit=fit, table=table,
+            )  # fmt: skip
+        kept = None if model else fitted
+        return Result(Path(source).name, {}, model=kept, used_model=model, summary=answer.summary())
+    details = _explain(fitted, masks, own)
+    poses = _fit(fitted, details) if fit else _estimate(fitted, details, lag)
+    shown, rate = replace(details, x=poses.x), details.frames_per_second
+    summary = poses.summary() + (f", {rate:.4g} frames per second" if rate else "")
     return Result(
-        Path(str(files.source)).name,
+        Path(source).name,
         {},
+        figure=prediction_figure(shown, poses),
         recording=Recording(
-            f"{len(masks)} masks of `{files.source}`",
-            partial(
-                record_prediction,
-                model=fitted,
-                details=details,
-                frames_per_second=files.frames_per_second,
-                states=poses.state,
-            ),
+            f"`{source}`: {summary}",
+            partial(record_prediction, model=fitted, details=shown, poses=poses),
         ),
         model=None if model else fitted,
-        tables={"poses.csv": _table(files.names(len(masks)), poses)},
+        used_model=model,
+        tables={"poses.csv": pose_csv(poses, details.names)},
+        summary=summary,
     )
 
 
@@ -76,64 +115,61 @@ def _train(components: Components, method: str) -> PoseModel:
 
 
 def _with_options(model: PoseModel, options: FittingOptions) -> PoseModel:
-    if model.fitter is None:
+    """Fit as in the model's training, but for options that differ from their defaults."""
+    fitter = model.fitter
+    if fitter is None:
         raise InputError(
             "this model has no fitter: train one with fitting.enabled=true, or leave out model=…"
         )
-    return replace(model, fitter=model.fitter.with_options(options))
+    body, usual = fitter.fitter, FittingOptions()
+    own = FittingOptions(
+        True, body.camera_is, body.shape_is, body.whole_take, body.iterations, fitter.starts,
+        body.prior.lasting, body.prior.seconds,
+    )  # fmt: skip
+    changed = {n: v for n, v in vars(options).items() if v != getattr(usual, n)}
+    return replace(model, fitter=fitter.with_options(replace(own, **changed)))
+
+
+@timed("masks")
+def _read(own: MaskSource, judge: bool) -> MaskSequence:
+    """Read the masks; refuse what cannot be used now, rather than after a training."""
+    masks = read_masks(own.source, own)
+    if judge:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # they are said when masks are described
+            see_masks(masks, own)
+    return masks
+
+
+@timed("descriptors")
+def _explain(model: PoseModel, masks: MaskSequence, own: MaskSource) -> PredictionDetails:
+    """Describe the masks."""
+    options = {name: value for name, value in vars(own).items() if name != "source"}
+    return model.explain(masks, **options)
 
 
 @timed("prediction")
-def _predict(
-    model: PoseModel, masks: Sequence[np.ndarray], files: MaskFiles, lag: float
-) -> tuple[PredictionDetails, Poses]:
-    """Estimate poses, tracked if the model can, and with the states of the track then."""
-    details = model.explain(masks, files.blank)
+def _estimate(model: PoseModel, details: PredictionDetails, lag: float) -> Poses:
+    """Estimate poses, tracked if the model can."""
     if model.tracker is None:
-        return details, Poses(details.x, model.space)
-    rate = files.frames_per_second
-    track = model.tracker.track(details.z, lag=round(lag * rate), frames_per_second=rate)
-    return replace(details, x=track.x), Poses(track.x, model.space, state=track.state)
+        return model.predict(details)
+    frames = round(lag * (details.frames_per_second or model.frames_per_second))
+    return model.track(details, lag=frames)
 
 
 @timed("fitting")
-def _fit(
-    model: PoseModel, masks: Sequence[np.ndarray], files: MaskFiles
-) -> tuple[PredictionDetails, Poses]:
+def _fit(model: PoseModel, details: PredictionDetails) -> Poses:
     """Fit the body to the masks."""
-    details = model.explain(masks, files.blank)
-    fit = model.fit_body(details, files.frames_per_second)
-    overlap = float(np.nanmedian(fit.iou))
-    assert model.fitter is not None
+    poses = model.predict(details, fit=True)
+    assert poses.iou is not None and model.fitter is not None
+    overlap = float(np.nanmedian(poses.iou))
     if overlap < TOLERATED * model.fitter.usual_iou:
         fitter = model.fitter.fitter
         free = fitter.camera_is == fitter.shape_is == "estimated"
         warnings.warn(
-            f"the body explains the masks of '{files.source}' badly, half of them by an overlap "
+            f"the body explains the masks of {details.source} badly, half of them by an overlap "
             f"below {overlap:.2f}: "
             + ("are they masks of one whole person?" if free else _ESTIMATE),
             stacklevel=2,
         )
-    poses = Poses(fit.x, model.space, fit.iou, fit.state, fit.confidence)
-    return replace(details, x=fit.x), poses
-
-
-def _table(names: Sequence[str], poses: Poses) -> list[list[object]]:
-    """Lay poses out as a table, one row per frame, its titles first."""
-    titles: list[object] = [
-        *("frame", "file"),
-        *(["state"] if poses.state else []),
-        *(["iou"] if poses.iou is not None else []),
-        *(["confidence"] if poses.confidence is not None else []),
-        *("heading_deg", "heading_norm"),
-        *(f"{column}_deg" for column in poses.space.columns[2:]),
-        *(f"{joint}_{axis}_m" for joint in poses.space.joint_names for axis in "xyz"),
-    ]
-    positions = poses.joints.reshape(len(poses), -1)
-    numbers = np.column_stack([poses.heading, poses.heading_norm, poses.x[:, 2:], positions])
-    table = [titles]
-    for frame, (name, row) in enumerate(zip(names, numbers, strict=True)):
-        state = [poses.state[frame]] if poses.state else []
-        fit = [own[frame] for own in (poses.iou, poses.confidence) if own is not None]
-        table.append([frame, name, *state, *(f"{value:.6g}" for value in (*fit, *row))])
-    return table
+    return poses

@@ -19,7 +19,8 @@ from silpose.model import (
     describe_dataset,
 )
 from silpose.regression import RegressionCandidates, Regressor
-from silpose.silhouette import Camera, MaskFiles
+from silpose.silhouette import Camera
+from silpose.silhouette.masks import MaskSource
 from silpose.tracking import Tracker, TrackingCandidates
 
 MODES_SHOWN = 4
@@ -38,7 +39,7 @@ class Components:
         Renders masks of motion; not used by a dataset that is read from a file.
     camera : Camera
         Camera of takes that have none of their own.
-    masks : MaskFiles
+    masks : MaskSource
         The user's own masks.
     descriptor : ShapeContextHistogram
         Not fitted.
@@ -56,7 +57,7 @@ class Components:
     dataset: DatasetSource
     renderer: Renderer
     camera: Camera
-    masks: MaskFiles
+    masks: MaskSource
     descriptor: ShapeContextHistogram
     regression: RegressionCandidates
     tracking: TrackingCandidates

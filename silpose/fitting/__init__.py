@@ -1,7 +1,7 @@
 """Fit the body to the contour of a mask, started and held by an estimated pose."""
 
 from silpose.fitting.body_fitter import BodyFitter, Knowledge
-from silpose.fitting.confidence import HEADING_DEG, JOINTS_MM, Confidence
+from silpose.fitting.confidence import Confidence
 from silpose.fitting.contour import contour_of
 from silpose.fitting.evidence import EVIDENCE
 from silpose.fitting.fit import Fit
@@ -15,8 +15,6 @@ from silpose.fitting.trace import Trace, trace_frame
 
 __all__ = [
     "EVIDENCE",
-    "HEADING_DEG",
-    "JOINTS_MM",
     "TOLERATED",
     "BodyFitter",
     "Confidence",

@@ -12,9 +12,6 @@ from silpose.core.errors import InputError
 from silpose.core.types import Array
 from silpose.fitting.evidence import EVIDENCE
 
-HEADING_DEG, JOINTS_MM = 45.0, 120.0
-"""A pose is right if its heading is within this, and its joints are on average."""
-
 DOUBTFUL = 0.5
 """Confidence below which a fit is poor."""
 

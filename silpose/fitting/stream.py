@@ -99,6 +99,12 @@ class FitterStream:
         self._overruled = 0  # frames running in which what was expected counted, not the estimate
         self._forget()
 
+    def skip(self, frames: int) -> None:
+        """Let some frames go by of which nothing is known, not even that they were blank."""
+        for _ in range(frames):
+            if self._expected is not None:
+                self._expected = self._expected.a_frame_later()
+
     def step(
         self, mask: Mask, start: ArrayLike | None = None, root: ArrayLike | None = None
     ) -> tuple[Array, str]:

@@ -5,22 +5,30 @@ fitted parts to experiments, to recordings, and as one file to whoever loads it.
 """
 
 from silpose.model.describe import Descriptor, describe_takes, fit_descriptor
+from silpose.model.described_masks import see_masks
 from silpose.model.descriptor_cache import DescriptorCache
 from silpose.model.fitter_training import FitterTraining
+from silpose.model.image_overlay import joints_in_image
 from silpose.model.loading import load
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.pose_model import PoseModel
-from silpose.model.poses import Poses, PredictionDetails
+from silpose.model.pose_stream import PoseStream
+from silpose.model.pose_table import pose_columns, pose_csv
+from silpose.model.poses import DOUBTFUL, Poses
+from silpose.model.prediction_details import PredictionDetails
 from silpose.model.tracker_training import TrackerTraining
 from silpose.model.training import DescribedDataset, compare, describe_dataset
+from silpose.model.trees import predict_tree
 
 __all__ = [
+    "DOUBTFUL",
     "DescribedDataset",
     "Descriptor",
     "DescriptorCache",
     "FitterTraining",
     "PoseFitter",
     "PoseModel",
+    "PoseStream",
     "Poses",
     "PredictionDetails",
     "TrackerTraining",
@@ -28,5 +36,10 @@ __all__ = [
     "describe_dataset",
     "describe_takes",
     "fit_descriptor",
+    "joints_in_image",
     "load",
+    "pose_columns",
+    "pose_csv",
+    "predict_tree",
+    "see_masks",
 ]

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from sklearn.base import clone
 
-from silpose.core.pose_space import ANGLES, wrap_degrees
+from silpose.core.pose_space import ANGLES
 from silpose.core.types import Array, Mask
 from silpose.dataset import Take
-from silpose.fitting import HEADING_DEG, JOINTS_MM, Confidence, Fit, Knowledge
+from silpose.evaluation import right_poses
+from silpose.fitting import Confidence, Fit, Knowledge
 from silpose.model.fitter_training import FitterTraining
 from silpose.regression import DistinctNeighbours, folds
 from silpose.silhouette import DEGRADATIONS, Body, Camera, degrade, foreign_shape, render
@@ -132,20 +134,11 @@ def confidence_examples(
     return evidence[known], right[known], [c for c, own in zip(cases, known, strict=True) if own]
 
 
-def right_frames(shown: Shown, fit: Fit) -> Array:
+def right_frames(shown: Shown, fit: Fit) -> NDArray[np.bool_]:
     """Whether each frame's pose is right (F,)."""
     if shown.x is None:
         return np.zeros(len(fit.x), bool)
-    return is_right(shown.x, np.nan_to_num(fit.x))
-
-
-def is_right(true: Array, fitted: Array) -> Array:
-    """Whether poses (F, 55) are right: heading and joints are near the true ones, (F,)."""
-    heading = np.abs(wrap_degrees(ANGLES.heading(fitted) - ANGLES.heading(true)))
-    off = ANGLES.joints(fitted)[:, 1:18] - ANGLES.joints(true)[:, 1:18]
-    apart = 1000 * np.linalg.norm(off, axis=2).mean(axis=1)
-    right: Array = (heading <= HEADING_DEG) & (apart <= JOINTS_MM)
-    return right
+    return right_poses(ANGLES, shown.x, np.nan_to_num(fit.x))
 
 
 def turned_around(x: Array) -> Array:

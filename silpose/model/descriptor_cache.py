@@ -16,7 +16,7 @@ from silpose.core.errors import InputError
 from silpose.core.types import Array
 from silpose.descriptor import ShapeContextHistogram
 
-_FORMAT = 1  # to be raised when masks or descriptors change for the same settings
+_FORMAT = 2  # to be raised when masks or descriptors change for the same settings
 
 
 @dataclass(frozen=True)

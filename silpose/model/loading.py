@@ -7,6 +7,7 @@ from pathlib import Path
 from silpose.core.pose_space import SPACES
 from silpose.core.serialisation import without_prefix
 from silpose.descriptor import ShapeContextHistogram
+from silpose.model.confidence import Confidence
 from silpose.model.model_file import read_model_file
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.pose_model import PARTS, PoseModel
@@ -28,7 +29,9 @@ def load(path: str | Path) -> PoseModel:
         If there is no such file, or it is no model, or one of another format.
     """
     header, state = read_model_file(path)
-    descriptor, regressor, tracker, fitter = (without_prefix(part, state) for part in PARTS)
+    descriptor, regressor, tracker, fitter, confidence = (
+        without_prefix(part, state) for part in PARTS
+    )
     return PoseModel(
         ShapeContextHistogram.from_arrays(descriptor) if descriptor else None,
         REGRESSORS[header["regressor"]].from_arrays(regressor),
@@ -36,4 +39,5 @@ def load(path: str | Path) -> PoseModel:
         header["frames_per_second"],
         TRACKERS[header["tracker"]].from_arrays(tracker) if tracker else None,
         PoseFitter.from_arrays(fitter) if fitter else None,
+        Confidence.from_arrays(confidence) if confidence else None,
     )

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Self
 
@@ -15,22 +15,21 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.serialisation import State, prefixed
 from silpose.core.types import Array
 from silpose.descriptor import ShapeContextHistogram
-from silpose.fitting import Fit
-from silpose.model.described_masks import DescribedMasks
-from silpose.model.live_fitting import fitting_stream
+from silpose.model.answers import estimated, fitted, tracked
+from silpose.model.confidence import Confidence
+from silpose.model.described_masks import describe_masks, mask_options, spread
 from silpose.model.model_file import write_model_file
 from silpose.model.pose_fitter import PoseFitter
-from silpose.model.poses import Poses, PredictionDetails
+from silpose.model.pose_stream import PoseStream
+from silpose.model.poses import Poses
+from silpose.model.prediction_details import PredictionDetails
 from silpose.regression import Regressor
-from silpose.silhouette import MaskFiles, is_blank, visible
-from silpose.tracking import Track, Tracker
+from silpose.tracking import Tracker
 
 Masks = NDArray[Any] | Sequence[ArrayLike]
 
-PARTS = ("descriptor", "regressor", "tracker", "fitter")
+PARTS = ("descriptor", "regressor", "tracker", "fitter", "confidence")
 """Parts of a model, by which its file names their arrays."""
-
-_LAG = 0.5  # seconds that a tracker waits for later masks where all are fitted together
 
 
 @dataclass
@@ -50,6 +49,8 @@ class PoseModel:
         None for a model of single images.
     fitter : PoseFitter or None
         None for a model that was trained without.
+    confidence : Confidence or None
+        None for a model that was trained without a calibration.
 
     See Also
     --------
@@ -62,6 +63,7 @@ class PoseModel:
     frames_per_second: float
     tracker: Tracker | None = None
     fitter: PoseFitter | None = None
+    confidence: Confidence | None = None
 
     def fit(self, masks: Masks, x: ArrayLike) -> Self:
         """Fit the codebook and the regressor.
@@ -78,24 +80,29 @@ class PoseModel:
 
     def predict(
         self,
-        masks: str | Path | Masks,
+        masks: object,
         blank: str = "error",
         *,
         fit: bool = False,
         frames_per_second: float | None = None,
+        **options: Any,
     ) -> Poses:
         """Estimate the pose behind each mask.
 
         Parameters
         ----------
-        masks : array-like, shape (F, H, W), list of arrays (H, W), or path of a folder or video
+        masks : path, array, list, iterable, or PredictionDetails
+            Masks of any origin, as `silpose.silhouette.masks.read_masks` takes them; or what
+            `explain` returned of them.
         blank : {"error", "nan"}, default="error"
             Whether a mask without foreground is an error, or gives a row of NaN.
         fit : bool, default=False
             Whether to fit the body to the masks, which are consecutive frames then; the poses
-            have an overlap and a state.
+            have an overlap.
         frames_per_second : float, optional
-            Frame rate of the masks, for the fit; by default the model's.
+            Frame rate of the masks; by default the source's own, or else the model's.
+        **options
+            Further parameters of `silpose.silhouette.masks.MaskSource`, such as ``person="left"``.
 
         Returns
         -------
@@ -104,35 +111,33 @@ class PoseModel:
         Raises
         ------
         InputError
-            If a mask is blank, or if the model was trained on descriptors only, or without a
-            fitter.
+            If the masks cannot be read, one of them is blank, or several people are seen and none
+            is chosen; if the model was trained on descriptors only, or without a fitter.
         """
-        if not fit:
-            return Poses(self.explain(masks, blank).x, self.space)
-        self._fitter()  # before time is spent on masks
-        fitted = self.fit_body(self.explain(masks, blank), frames_per_second)
-        return Poses(fitted.x, self.space, fitted.iou, fitted.state, fitted.confidence)
+        fitter = self._fitter() if fit else None  # before time is spent on masks
+        details = self.explain(masks, blank, frames_per_second=frames_per_second, **options)
+        return fitted(self, fitter, details) if fitter else estimated(self, details)
 
-    def fit_body(self, details: PredictionDetails, frames_per_second: float | None = None) -> Fit:
-        """Fit the body to consecutive masks, from the tracker's poses if the model has one."""
-        lag = round(_LAG * self.frames_per_second)
-        tracked = self.tracker.track(details.z, lag=lag).x if self.tracker else None
-        rate = frames_per_second or self.frames_per_second
-        return self._fitter().fit(
-            details.masks, details.z, details.x, tracked=tracked, frames_per_second=rate
-        )
-
-    def explain(self, masks: str | Path | Masks, blank: str = "error") -> PredictionDetails:
+    def explain(
+        self,
+        masks: object,
+        blank: str = "error",
+        *,
+        frames_per_second: float | None = None,
+        **options: Any,
+    ) -> PredictionDetails:
         """Estimate poses as `predict` does, with all intermediate results."""
-        described = self._describe(masks, blank)
-        points = [np.empty((0, 2), np.int32)] * len(described.masks)
-        nearest = [np.empty(0, np.int32)] * len(described.masks)
-        for frame, own in zip(described.visible, described.descriptions, strict=True):
-            points[frame], nearest[frame] = own.points, own.nearest
-        z = described.z
-        seen = self.explain_descriptors(z[described.visible])
-        activations, x = described.spread(seen.activations), described.spread(seen.x)
-        return PredictionDetails(described.masks, points, nearest, z, activations, x)
+        own = mask_options(blank, frames_per_second, options)
+        if isinstance(masks, PredictionDetails):
+            return replace(masks, frames_per_second=frames_per_second or masks.frames_per_second)
+        described = describe_masks(self._descriptor(), masks, own)
+        sequence, z, seen = described.sequence, described.z, described.facts.seen
+        estimates = self.explain_descriptors(z[seen])
+        return PredictionDetails(
+            sequence.masks, described.points, described.nearest, z,
+            spread(estimates.activations, seen), spread(estimates.x, seen), described.facts,
+            sequence.names, sequence.source, frames_per_second or sequence.frames_per_second,
+        )  # fmt: skip
 
     def explain_descriptors(self, z: Array) -> PredictionDetails:
         """Estimate poses from descriptors ``z (F, d)``, without masks."""
@@ -140,28 +145,46 @@ class PoseModel:
         return PredictionDetails([], [], [], z, activations, x)
 
     def track(
-        self, masks: str | Path | Masks, lag: int = 0, frames_per_second: float | None = None
-    ) -> Track:
+        self,
+        masks: object,
+        lag: int = 0,
+        frames_per_second: float | None = None,
+        *,
+        time: ArrayLike | None = None,
+        **options: Any,
+    ) -> Poses:
         """Track a person through masks, of which some may be blank.
 
         Parameters
         ----------
-        masks : array-like, shape (F, H, W), list of arrays (H, W), or path of a folder or video
+        masks : path, array, list, iterable, or PredictionDetails
+            As of `predict`.
         lag : int, default=0
-            Number of later frames that each estimate may wait for.
+            Number of later masks that each estimate may wait for.
         frames_per_second : float, optional
-            Frame rate of the masks, if known.
+            Frame rate of the masks, whichever it is; needed if the source has none of its own.
+        time : array-like, shape (F,), optional
+            Seconds of each mask instead, if they do not follow each other evenly.
+        **options
+            As of `predict`.
+
+        Returns
+        -------
+        poses : Poses
+            One for each mask, at its time.
 
         Raises
         ------
         InputError
-            If the model has no tracker, or one that was trained at another frame rate.
+            If the model has no tracker; if neither rate nor times are known; or as of `predict`.
         """
         tracker = self._tracker()
-        described = self._describe(masks, blank="nan")
-        return tracker.track(described.z, lag=lag, frames_per_second=frames_per_second)
+        details = self.explain(masks, "nan", frames_per_second=frames_per_second, **options)
+        return tracked(self, tracker, details, lag, time)
 
-    def stream(self, *, fit: bool = False) -> Callable[[ArrayLike], tuple[Array, str]]:
+    def stream(
+        self, *, fit: bool = False, frames_per_second: float | None = None, **options: Any
+    ) -> PoseStream:
         """Start tracking live.
 
         Parameters
@@ -169,42 +192,21 @@ class PoseModel:
         fit : bool, default=False
             Whether to fit the body to each mask, from the tracker's pose if the model has a
             tracker, and from the regressor's otherwise.
+        frames_per_second : float, optional
+            Rate of masks that come without a time; by default the model's.
+        **options
+            As of `predict`.
 
         Returns
         -------
-        step : callable
-            From the next mask (H, W), blank or not, to its pose (D,) and the track's state.
+        stream : PoseStream
+            ``stream.step(mask)`` or ``stream.step(mask, time)`` answers with `Poses` of one frame.
         """
-        if fit:
-            parts = self._fitter(), self._descriptor_of, self._live_estimate()
-            tracked = self.tracker is not None
-            return fitting_stream(*parts, self.frames_per_second, tracked=tracked)
-        running = self._tracker().start()
-        return lambda mask: running.step(self._descriptor_of(mask))
-
-    def _live_estimate(self) -> Callable[[Array], Array]:
-        """From a descriptor (d,), perhaps of NaN, to a pose (D,): tracked if the model can."""
-        if self.tracker is not None:
-            running = self.tracker.start()
-            return lambda z: running.step(z)[0]
-        nothing = np.full(len(self.space.columns), np.nan)
-        return lambda z: self.regressor.predict(z[None])[0] if np.isfinite(z).all() else nothing
-
-    def _descriptor_of(self, mask: ArrayLike) -> Array:
-        """Descriptor (d,) of a mask, NaN if it is blank."""
-        descriptor = self._descriptor()
-        if is_blank(mask):
-            return np.full(len(descriptor.codebook_), np.nan)
-        return descriptor.transform([mask])[0]
-
-    def _describe(self, masks: str | Path | Masks, blank: str) -> DescribedMasks:
-        """Describe the masks that have a foreground."""
-        descriptor = self._descriptor()
-        if isinstance(masks, str | Path):
-            masks = MaskFiles(str(masks), blank).read()
-        frames = [np.asarray(mask) for mask in masks]
-        seen = visible(frames, blank)
-        return DescribedMasks(frames, seen, descriptor.describe([frames[f] for f in seen]))
+        self._descriptor()
+        if not fit:
+            self._tracker()
+        fitter = self._fitter() if fit else None
+        return PoseStream(self, fitter, frames_per_second, mask_options("nan", None, options))
 
     def _tracker(self) -> Tracker:
         if self.tracker is None:

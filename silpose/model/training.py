@@ -13,6 +13,7 @@ from silpose.core.types import Array, Examples, Metrics
 from silpose.dataset import Dataset
 from silpose.descriptor import ShapeContextHistogram
 from silpose.evaluation import baselines, measure
+from silpose.model.confidence import Confidence, train_confidence
 from silpose.model.describe import describe, fit_descriptor
 from silpose.model.descriptor_cache import DescriptorCache
 from silpose.model.pose_fitter import PoseFitter
@@ -158,9 +159,14 @@ class DescribedDataset:
         tracker: Tracker | None = None,
         fitter: PoseFitter | None = None,
     ) -> PoseModel:
-        """Combine the descriptor with what was fitted to its output."""
+        """Combine the descriptor with what was fitted to its output; calibrate its confidence."""
         space, rate = self.data.space, self.frames_per_second
-        return PoseModel(self.descriptor, regressor, space, rate, tracker, fitter)
+        confidence = self._confidence(regressor)
+        return PoseModel(self.descriptor, regressor, space, rate, tracker, fitter, confidence)
+
+    @timed("confidence")
+    def _confidence(self, regressor: Regressor) -> Confidence:
+        return train_confidence(self, regressor)
 
 
 @timed("descriptors")

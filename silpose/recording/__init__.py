@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from silpose.recording.header import Header
     from silpose.recording.hypotheses import record_hypotheses, record_modes
     from silpose.recording.influential_examples import InfluentialExamples
+    from silpose.recording.prediction import record_prediction
     from silpose.recording.read import RecordedPoses, read_poses, read_recording
     from silpose.recording.runs import (
         FinishedRun,
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
         serve,
         write_result,
     )
-    from silpose.recording.single_image import record_prediction, record_single_image
+    from silpose.recording.single_image import record_single_image
     from silpose.recording.sinks import Sinks
     from silpose.recording.study import (
         record_bridges,
@@ -74,7 +75,7 @@ _RECORDERS = {
     "record_fitting": "fitting",
     "record_hypotheses": "hypotheses",
     "record_modes": "hypotheses",
-    "record_prediction": "single_image",
+    "record_prediction": "prediction",
     "record_single_image": "single_image",
     "record_study": "study",
     "record_tracking": "tracking",

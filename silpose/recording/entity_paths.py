@@ -7,6 +7,7 @@ TRUE_POSE = "/motion/pose"
 CAMERA = "/silhouette/camera"
 MASK = "/silhouette/camera/mask"
 EDGE_POINTS = "/silhouette/camera/edge_points"
+OVERLAID_SKELETON = "/silhouette/camera/skeleton"  # the estimated pose on the mask
 RETAINED_POINTS = "/silhouette/camera/retained"  # one entity below it per body part
 
 TAKE = "/dataset/take"
@@ -62,6 +63,7 @@ ITERATED_SKELETON = "/fitting/iterations/skeleton"
 ITERATED_TRUE_SKELETON = "/fitting/iterations/true_skeleton"
 
 ERROR = "/evaluation/error"  # one entity below it per method
+CONFIDENCE = "/evaluation/confidence"
 
 FIGURE = "/run/figure"
 SETTINGS = "/run/settings"

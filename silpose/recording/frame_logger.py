@@ -22,14 +22,20 @@ class FrameLogger:
     recording : rerun.RecordingStream
     frames : int
     frames_per_second : float
+    times : ndarray, shape (F,), optional
+        Seconds of the frames, where they do not follow each other evenly.
     """
 
     def __init__(
-        self, recording: rr.RecordingStream, frames: int, frames_per_second: float
+        self,
+        recording: rr.RecordingStream,
+        frames: int,
+        frames_per_second: float,
+        times: Array | None = None,
     ) -> None:
         self._recording = recording
         self._frames = frames
-        self._times = np.arange(frames) / frames_per_second
+        self._times = np.arange(frames) / frames_per_second if times is None else times
         self._index = [
             rr.TimeColumn("frame", sequence=range(frames)),
             rr.TimeColumn("time", duration=self._times),
@@ -119,19 +125,27 @@ class FrameLogger:
         joints: Array,
         bones: Sequence[tuple[int, int]],
         names: Sequence[str],
-        colour: palette.Colour,
+        colour: palette.Colour | Sequence[palette.Colour],
         radius: float,
     ) -> None:
-        """Log a skeleton, ``joints (F, J, 3)`` in the world, metres."""
+        """Log a skeleton, ``joints (F, J, 3)`` in the world, metres; of one colour, or F colours.
+
+        ``joints (F, J, 2)`` are pixels in the image, and the radius points of the screen.
+        """
+        flat = joints.shape[2] == 2
+        kind = rr.LineStrips2D if flat else rr.LineStrips3D
         sides = [names[child].split("_")[0] for _, child in bones]
-        colours = [palette.shade(colour, side) for side in sides]
-        self.static(entity, rr.LineStrips3D.from_fields(colors=colours, radii=radius))
         ends = joints[:, np.asarray(bones)]
-        self.columns(
-            entity,
-            rr.LineStrips3D.columns(strips=ends.reshape(-1, 2, 3).astype(np.float32)),
-            [len(bones)] * self._frames,
-        )
+        strips = ends.reshape(-1, 2, joints.shape[2]).astype(np.float32)
+        radii = rr.Radius.ui_points(radius) if flat else radius
+        each = [palette.shade(own, side) for own in _listed(colour) for side in sides]
+        if isinstance(colour, tuple):
+            self.static(entity, kind.from_fields(colors=each, radii=radii))
+            columns = kind.columns(strips=strips)
+        else:
+            self.static(entity, kind.from_fields(radii=radii))
+            columns = kind.columns(strips=strips, colors=each)
+        self.columns(entity, columns, [len(bones)] * self._frames)
 
     def image(self, entity: str, image: NDArray[np.uint8]) -> None:
         """Log an image (H, W, 3) that stays."""
@@ -190,6 +204,10 @@ class FrameLogger:
             rr.Points2D.from_fields(positions=places, colors=palette.NEUTRAL, radii=0.1),
         )
         self.columns(entity, rr.Points2D.columns(labels=labels), [len(places)] * self._frames)
+
+
+def _listed(colour: palette.Colour | Sequence[palette.Colour]) -> Sequence[palette.Colour]:
+    return [colour] if isinstance(colour, tuple) else colour
 
 
 class IterationLogger(FrameLogger):

@@ -6,13 +6,14 @@ The left side of a body is light and its right side dark.
 from __future__ import annotations
 
 import colorsys
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 Colour = tuple[int, int, int]
 """Red, green and blue, each from 0 to 255."""
 
 TRUE: Colour = (80, 190, 255)
 ESTIMATED: Colour = (255, 150, 50)
+DOUBTFUL: Colour = (220, 70, 60)
 NEUTRAL: Colour = (150, 150, 160)
 MASK: Colour = (70, 74, 84)
 BACKGROUND: Colour = (18, 19, 22)
@@ -58,6 +59,21 @@ FIT_STATES: Mapping[str, Colour] = {
     "poor": (220, 70, 60),
     "blank": (110, 110, 120),
 }
+
+ESTIMATE_STATES: Mapping[str, Colour] = {
+    "estimated": (70, 150, 90),
+    "blank": (110, 110, 120),
+    "fragment": (140, 110, 160),
+    "filled": (90, 110, 200),
+}
+
+
+def states(found: Collection[str]) -> Mapping[str, Colour]:
+    """Colours of the kind of states that some belong to: of estimates, a track, or a fit."""
+    kinds = (ESTIMATE_STATES, FIT_STATES, STATES)
+    return next(
+        (kind for kind in kinds if {*found} <= {*kind}), {k: v for s in kinds for k, v in s.items()}
+    )
 
 
 def hue(k: int, count: int) -> Colour:

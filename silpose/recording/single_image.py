@@ -17,8 +17,8 @@ from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.ground_truth import GroundTruth, log_true_pose, log_true_skeleton
 from silpose.recording.header import Header
 from silpose.recording.influential_examples import InfluentialExamples, log_influential_examples
-from silpose.recording.layout import Window, prediction_layout, single_image_layout
-from silpose.recording.silhouette import log_camera, log_image_size, log_masks
+from silpose.recording.layout import Window, single_image_layout
+from silpose.recording.silhouette import log_camera, log_masks
 from silpose.recording.stream import recording_stream
 
 if TYPE_CHECKING:
@@ -49,15 +49,15 @@ def record_single_image(
     """
     space, rate = model.space, model.frames_per_second
     layout = single_image_layout(
-        shown, rate, space.metrics[0], _window(details.masks), examples=examples is not None
+        shown, rate, space.metrics[0], window_of(details.masks), examples=examples is not None
     )
     with recording_stream(header, layout) as recording:
-        logger = _log_details(recording, model, details, rate)
+        logger = log_details(recording, model, details, rate)
         if truth.camera is not None:
             log_camera(logger, truth.camera, truth.aim)
         if examples is not None:
             log_influential_examples(logger, examples, space)
-        _log_estimate(logger, space, details.x, truth.root)
+        log_estimate(logger, space, details.x, truth.root)
         log_true_skeleton(logger, truth, space, radius=0.016)
         log_true_pose(logger, truth, space)
         for method, errors in truth.errors.items():
@@ -72,43 +72,7 @@ def record_single_image(
             )
 
 
-def record_prediction(
-    header: Header,
-    model: PoseModel,
-    details: PredictionDetails,
-    frames_per_second: float,
-    states: Sequence[str] | None = None,
-) -> None:
-    """Write the recording of poses whose ground truth is unknown.
-
-    Parameters
-    ----------
-    header : Header
-    model : PoseModel
-    details : PredictionDetails
-        The model's estimates and what led to them.
-    frames_per_second : float
-        Rate of the masks.
-    states : sequence of str, optional
-        States of the model's tracker or of the fit, one per frame.
-    """
-    window = _window(details.masks) or (0.0, 1.0, 0.0, 1.0)
-    layout = prediction_layout(frames_per_second, window, states is not None)
-    with recording_stream(header, layout) as recording:
-        logger = _log_details(recording, model, details, frames_per_second)
-        height, width = np.max([np.shape(mask) for mask in details.masks], axis=0)
-        log_image_size(logger, int(width), int(height))
-        root = np.zeros((len(details.x), 3))
-        joints = model.space.joints(np.nan_to_num(details.x))
-        root[:, 1] = -joints[..., 1].min(axis=1)  # the lowest point stands on the ground
-        _log_estimate(logger, model.space, details.x, root)
-        if states is not None:
-            fitted = {*states} <= {*palette.FIT_STATES}
-            colours = palette.FIT_STATES if fitted else palette.STATES
-            logger.states(entity_paths.STATE, states, colours)
-
-
-def _window(masks: Sequence[Mask]) -> Window | None:
+def window_of(masks: Sequence[Mask]) -> Window | None:
     """Where people are in any of the masks, with a margin; None if there are no masks."""
     boxes = [cv2.boundingRect(np.asarray(mask != 0).view(np.uint8)) for mask in masks if mask.any()]
     if not boxes:
@@ -119,14 +83,15 @@ def _window(masks: Sequence[Mask]) -> Window | None:
     return ends[0] - margin, ends[1] + margin, ends[2] - margin, ends[3] + margin
 
 
-def _log_details(
+def log_details(
     recording: rr.RecordingStream,
     model: PoseModel,
     details: PredictionDetails,
     frames_per_second: float,
+    times: Array | None = None,
 ) -> FrameLogger:
     """Log masks, edge points, codebook, histogram and activations."""
-    logger = FrameLogger(recording, len(details.x), frames_per_second)
+    logger = FrameLogger(recording, len(details.x), frames_per_second, times)
     shares = details.z / details.z.sum(axis=1, keepdims=True)
     if details.masks and model.descriptor is not None:
         codebook = model.descriptor.codebook_
@@ -139,7 +104,13 @@ def _log_details(
     return logger
 
 
-def _log_estimate(logger: FrameLogger, space: PoseSpace, x: Array, root: Array) -> None:
+def log_estimate(
+    logger: FrameLogger,
+    space: PoseSpace,
+    x: Array,
+    root: Array,
+    colour: palette.Colour | Sequence[palette.Colour] = palette.ESTIMATED,
+) -> None:
     """Log the estimated skeleton, pose and heading; nothing is drawn of a row of NaN."""
     known = np.isfinite(x).all(axis=1)
     joints = space.joints(np.nan_to_num(x)) + root[:, None]
@@ -149,7 +120,7 @@ def _log_estimate(logger: FrameLogger, space: PoseSpace, x: Array, root: Array) 
         joints,
         space.bones,
         space.joint_names,
-        palette.ESTIMATED,
+        colour,
         radius=0.011,
     )
     logger.poses(entity_paths.ESTIMATED_POSE, x, space)

@@ -1,4 +1,4 @@
-"""Masks: rendered from a posed body in front of a camera, degraded on purpose, or read from files.
+"""Masks: rendered from a posed body in front of a camera, degraded on purpose, or of one's own.
 
 Poses come from `silpose.motion`; `silpose.dataset` pairs them with their masks, and
 `silpose.descriptor` describes masks of any origin.
@@ -9,7 +9,7 @@ from silpose.silhouette.body import BODIES, LEVELS, Body
 from silpose.silhouette.camera import Camera
 from silpose.silhouette.degradations import DEGRADATIONS, contour_damage, degrade
 from silpose.silhouette.foreign import FOREIGN, foreign_shape
-from silpose.silhouette.mask_files import MaskFiles, read_masks
+from silpose.silhouette.masks import MaskReader, MaskSequence, MaskSource, read_masks
 from silpose.silhouette.random_degradation import Degradation, Degrader
 from silpose.silhouette.render import fill_pieces, render
 from silpose.silhouette.rigid_links import RigidLinks
@@ -23,7 +23,9 @@ __all__ = [
     "Camera",
     "Degradation",
     "Degrader",
-    "MaskFiles",
+    "MaskReader",
+    "MaskSequence",
+    "MaskSource",
     "RigidLinks",
     "contour_damage",
     "degrade",

@@ -23,6 +23,7 @@ from silpose.tracking.base_tracker import Tracker, TrackerStream
 from silpose.tracking.belief_tracker import BeliefTracker
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.multiple_hypothesis_tracker import MultipleHypothesisTracker
+from silpose.tracking.resampling import times_of, track_at
 from silpose.tracking.selection import (
     Estimate,
     SmoothingBaselines,
@@ -36,6 +37,7 @@ from silpose.tracking.selection import (
 )
 from silpose.tracking.single_pose_tracker import EXTINCT, GIVEN, SinglePoseTracker
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
+from silpose.tracking.timed_stream import TimedStream
 from silpose.tracking.track import STATES, Track
 
 TRACKERS: dict[str, type[Tracker]] = {
@@ -55,6 +57,7 @@ __all__ = [
     "SinglePoseTracker",
     "SmoothingBaselines",
     "StateSensitiveRegressor",
+    "TimedStream",
     "Track",
     "Tracker",
     "TrackerSelection",
@@ -66,4 +69,6 @@ __all__ = [
     "choose_single_pose_tracker",
     "choose_smoothing_baselines",
     "observed_and_sampled",
+    "times_of",
+    "track_at",
 ]

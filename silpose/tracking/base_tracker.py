@@ -16,7 +16,8 @@ from silpose.core.serialisation import State
 from silpose.core.types import Array, Examples
 from silpose.tracking.track import Track
 
-_SAME_RATE = 0.02  # relative difference up to which frame rates count as the same
+SAME_RATE = 0.02
+"""Relative difference up to which frame rates count as the same."""
 
 Run = TypeVar("Run")
 """Kind of filter that a tracker runs over frames."""
@@ -112,10 +113,10 @@ class Tracker(ABC, BaseEstimator, Generic[Run]):
         """Check what is to be tracked; return descriptors (F, d) and known poses (P, D)."""
         known = self._known(initial)
         trained = self.frames_per_second
-        if frames_per_second is not None and abs(frames_per_second / trained - 1) > _SAME_RATE:
+        if frames_per_second is not None and abs(frames_per_second / trained - 1) > SAME_RATE:
             raise InputError(
                 f"this tracker was trained at {trained:g} frames per second and cannot follow "
-                f"{frames_per_second:g}: resample the take, or train at its rate"
+                f"{frames_per_second:g}: use silpose.tracking.track_at, which resamples the take"
             )
         z, columns = np.asarray(z, dtype=float), self.columns[0]
         if z.ndim != 2 or z.shape[1] != columns:
@@ -175,6 +176,10 @@ class TrackerStream(Generic[Run]):
         if z.shape != self._shape:
             raise InputError(f"a descriptor has shape {z.shape}: expected {self._shape}")
         return self._tracker.advance(self._run, z)
+
+    def fork(self) -> TrackerStream[Run]:
+        """Return a second stream in the same state; neither changes the other."""
+        return TrackerStream(self._tracker, copy(self._run))
 
     def modes(self, k: int) -> tuple[Array, Array]:
         """Return the most probable poses after a step.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import deepcopy
 from dataclasses import dataclass
 
 import numpy as np
@@ -74,6 +75,13 @@ class ParticleFilter:
         self._random = np.random.default_rng(seed)
         self.state, self._unseen = "starting", 0
         self._keep(Particles(np.empty(0), np.empty((0, length, len(model.mean)))))
+
+    def __copy__(self) -> ParticleFilter:
+        """Return a filter in the same state, which draws the same from then on."""
+        other = ParticleFilter.__new__(ParticleFilter)
+        vars(other).update(vars(self))
+        other._random = deepcopy(self._random)
+        return other
 
     def initialise(self, poses: Array) -> None:
         """Start after known poses (P, D)."""

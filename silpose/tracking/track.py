@@ -11,6 +11,8 @@ STATES = ("starting", "tracking", "lost", "recovered")
 SETTLED = 0.7  # heading norm from which a start, or a new one, counts as made
 UNCERTAIN = 0.3  # heading norm below which a track counts as lost
 
+_SHORT = 0.5  # seconds
+
 
 @dataclass(frozen=True)
 class Track:
@@ -36,6 +38,16 @@ class Track:
     beliefs: Array | None = None
     weights: Array | None = None
     means: Array | None = None
+
+
+def over_a_break(state: str, before: str | None, seconds: float) -> str:
+    """State of a frame that follows another after some seconds without frames.
+
+    A tracker that saw nothing meanwhile has recovered; after a short break, as of a few dropped
+    frames, it goes on tracking.
+    """
+    kept = before in ("tracking", "recovered") and seconds < _SHORT
+    return "tracking" if state == "recovered" and kept else state
 
 
 def next_state(state: str, lost: bool, heading_norm: float) -> str:

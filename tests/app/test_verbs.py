@@ -1,27 +1,9 @@
 import pytest
-from hydra.core.override_parser.overrides_parser import OverridesParser
-from hypothesis import example, given
-from hypothesis import strategies as st
 from omegaconf import OmegaConf
 
 from silpose.app.config import load, plain
-from silpose.app.verbs import EXPERIMENT_VERBS, help_text, overrides_of, quoted
+from silpose.app.verbs import EXPERIMENT_VERBS, help_text, overrides_of
 from silpose.core.errors import InputError
-
-ODD = "\\'\"${}[](),=:+~?*-#@! \t\n%&|<>é日"
-paths = st.text(
-    st.one_of(st.sampled_from(ODD), st.characters(codec="utf-8", exclude_categories=["Cs"])),
-    min_size=1,
-)
-
-
-@given(paths)
-@example("a=b, [c] '${seed}' \\")
-def test_any_path_goes_through_hydra_untouched(path):
-    (override,) = OverridesParser.create().parse_overrides([f"source={quoted(path)}"])
-    settings = OmegaConf.create({"source": None, "seed": 3})
-    settings.source = override.value()
-    assert OmegaConf.to_container(settings, resolve=True)["source"] == path
 
 
 @pytest.mark.parametrize(
@@ -58,3 +40,11 @@ def test_help_shows_verbs_then_groups():
     assert text.index("predict PATH") < text.index("compare RUN") < text.index("silhouette/scenes")
     assert "schema" not in text
     assert max(map(len, text.splitlines())) <= 96
+
+
+def test_paths_that_the_shell_made_of_a_pattern_are_refused(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("a", "b"):
+        (tmp_path / name).mkdir()
+    with pytest.raises(InputError, match=r"takes one path, not 'a' and 'b'"):
+        overrides_of("masks", ["a", "b"])

@@ -7,7 +7,7 @@ import pytest
 from joblib import parallel_config
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from silpose.core.parallel import parallel_map, thread_map
+from silpose.core.parallel import parallel_map, parallel_stream, thread_map
 
 WAYS = [(None, "processes"), (2, "threads"), (2, "processes")]
 
@@ -71,3 +71,18 @@ def test_threads_keep_the_order(n_jobs):
 
 def test_one_thread_is_the_callers():
     assert set(thread_map(lambda _: threading.get_ident(), 3, 1)) == {threading.get_ident()}
+
+
+@pytest.mark.parametrize("n_jobs", [None, 2])
+def test_a_stream_gives_each_outcome_once(n_jobs):
+    with workers(n_jobs):
+        assert sorted(parallel_stream(abs, [-3, 1, -2])) == [1, 2, 3]
+
+
+def test_threads_of_several_processes_do_not_compete():
+    def threads(_):
+        return {*thread_map(lambda _: threading.get_ident(), 50, 2)}
+
+    with parallel_config(n_jobs=2):
+        assert [len(found) for found in parallel_map(threads, range(2))] == [1, 1]
+    assert len(threads(0)) >= 1

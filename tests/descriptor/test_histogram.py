@@ -1,3 +1,4 @@
+import cv2
 import numpy as np
 import pytest
 import reference
@@ -5,10 +6,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from sklearn.exceptions import NotFittedError
+from synthetic import motion
 
 from silpose.core.errors import InputError
+from silpose.dataset import render_take
 from silpose.descriptor import ShapeContextHistogram
+from silpose.descriptor.boundary import boundary_pixels
 from silpose.descriptor.constraints import NORMALISATIONS
+from silpose.descriptor.description import BOUNDARIES
+from silpose.descriptor.subpixel import LATTICE_SIZE, lattice_boundary
+from silpose.silhouette import Camera
+
+KINDS = ["usual", "spaced", "everywhere", "closed", "pixels", "pixels spaced"]
 
 
 @pytest.fixture(scope="module")
@@ -23,6 +32,8 @@ def histograms(histogram, sequence):
         "spaced": {"spacing": 0.1, "voters": None},
         "everywhere": {"edge_points": None},
         "closed": {"closing": 0.2},
+        "pixels": {"boundary": "pixels"},
+        "pixels spaced": {"boundary": "pixels", "spacing": 0.1},
     }
     fitted = {
         name: ShapeContextHistogram(codebook_size=9, n_jobs=1, **choices).fit(sequence.masks)
@@ -33,7 +44,8 @@ def histograms(histogram, sequence):
 
 @pytest.mark.parametrize("closing", [0, 0.07])
 def test_z_is_the_definition_from_mask_to_histogram(sequence, closing):
-    histogram = ShapeContextHistogram(codebook_size=30, closing=closing).fit(sequence.masks)
+    histogram = ShapeContextHistogram(boundary="pixels", codebook_size=30, closing=closing)
+    histogram.fit(sequence.masks)
     for mask, z in zip(sequence.masks[:5], histogram.transform(sequence.masks[:5]), strict=True):
         pixels = np.concatenate(reference.boundary(mask, closing))
         (description,) = histogram.describe([mask])
@@ -42,6 +54,20 @@ def test_z_is_the_definition_from_mask_to_histogram(sequence, closing):
         np.testing.assert_allclose(description.contexts, contexts, atol=1e-6)
         expected = reference.votes(contexts, histogram.codebook_, 8, histogram.vote_width_)
         np.testing.assert_allclose(z, expected, rtol=0, atol=1e-6)
+
+
+def test_z_is_the_definition_on_the_lattice(histogram, sequence):
+    for mask in sequence.masks[:5]:
+        (description,) = histogram.describe([mask])
+        lattice, between, unit, _ = lattice_boundary(*boundary_pixels(mask))
+        chosen = np.arange(200) * len(lattice) // 200
+        np.testing.assert_array_equal(description.points, between[chosen])
+        reach = 0.45 * LATTICE_SIZE
+        contexts = reference.contexts(lattice, lattice[chosen], reach, 0.1 * reach, 12, 5)
+        np.testing.assert_allclose(description.contexts, contexts, atol=1e-6)
+        expected = reference.votes(contexts, histogram.codebook_, 8, histogram.vote_width_)
+        np.testing.assert_allclose(description.z, expected, rtol=0, atol=1e-6)
+        assert description.rings[-1] == pytest.approx(reach * unit)
 
 
 def test_rows_sum_to_one(histogram, sequence):
@@ -72,11 +98,15 @@ def test_normalisations_differ_by_a_factor(histogram, sequence):
 def test_spacing_gives_points_by_length_and_none_gives_every_pixel(histograms, sequence):
     mask = sequence.masks[3]
     pixels = np.concatenate(reference.boundary(mask))
-    (everywhere,) = histograms["everywhere"].describe([mask])
+    every = ShapeContextHistogram(boundary="pixels", edge_points=None, codebook_size=9)
+    (everywhere,) = every.fit(sequence.masks).describe([mask])
     np.testing.assert_array_equal(everywhere.points, pixels)
+    (everywhere,) = histograms["everywhere"].describe([mask])
+    assert len(everywhere.points) == len(lattice_boundary(*boundary_pixels(mask)).lattice)
     twice = np.repeat(np.repeat(mask, 2, axis=0), 2, axis=1)
-    near, far = (len(d.points) for d in histograms["spaced"].describe([mask, twice]))
-    assert abs(near - far) < 0.1 * near  # relative to the silhouette, so its size does not matter
+    for kind in ("spaced", "pixels spaced"):
+        near, far = (len(d.points) for d in histograms[kind].describe([mask, twice]))
+        assert abs(near - far) < 0.1 * near  # relative to the silhouette: its size does not matter
 
 
 def test_components_holes_and_the_frames_edge_are_boundary_too(histogram):
@@ -104,24 +134,49 @@ def test_closing_undoes_holes_and_thin_occluders(sequence):
     assert np.abs(np.diff(plain.transform([person, hurt]), axis=0)).max() > 0.01
     np.testing.assert_array_equal(*closed.transform([person, hurt]))
     whole, at_the_edge = closed.describe([person, person[10:80, 20:40]])
-    np.testing.assert_array_equal(whole.points - (20, 10), at_the_edge.points)
+    np.testing.assert_allclose(whole.points - (20, 10), at_the_edge.points)
 
 
 def test_moving_the_silhouette_changes_nothing(histogram, sequence):
     mask = sequence.masks[3]
     moved = np.zeros((200, 150), np.uint8)
     moved[77 : 77 + 96, 31 : 31 + 96] = mask
-    np.testing.assert_allclose(histogram.transform([moved]), histogram.transform([mask]))
+    np.testing.assert_array_equal(histogram.transform([moved]), histogram.transform([mask]))
 
 
-def test_scaling_the_silhouette_changes_little(histogram, sequence):
-    z = histogram.transform(sequence.masks)
-    between = np.linalg.norm(z[0] - z[10])
-    twice = np.repeat(np.repeat(sequence.masks[:1], 2, axis=1), 2, axis=2)
-    assert np.linalg.norm(histogram.transform(twice) - z[:1]) < 0.5 * between
+@pytest.mark.parametrize("factor", [2, 3, 8])
+def test_enlarging_the_silhouette_changes_nothing(histograms, sequence, factor):
+    z = histograms["usual"].transform(sequence.masks)
+    large = np.repeat(np.repeat(sequence.masks[:3], factor, axis=1), factor, axis=2)
+    np.testing.assert_array_equal(histograms["usual"].transform(large), z[:3])
+    of_pixels = histograms["pixels"].transform(sequence.masks)
+    between = np.linalg.norm(of_pixels[0] - of_pixels[10])
+    change = histograms["pixels"].transform(large[:1]) - of_pixels[:1]
+    assert np.linalg.norm(change) < 0.7 * between
 
 
-def test_rings_reach_as_far_as_a_context_sees(histogram):
+def test_the_resolution_changes_little(body):
+    """Between square roots of histograms, relative to those of a walk's other poses."""
+    masks = render_take(motion("swinging", 40), body, Camera(focal_length=2.5)).masks
+    change = {}
+    for boundary in BOUNDARIES:
+        histogram = ShapeContextHistogram(boundary=boundary, n_jobs=1).fit(masks)
+        z = np.sqrt(histogram.transform(masks))
+        apart = np.linalg.norm(z - z.mean(axis=0), axis=1).mean()
+        for side in (128, 64, 32):
+            size = (side, side)
+            small = [cv2.resize(255 * m, size, interpolation=cv2.INTER_AREA) > 127 for m in masks]
+            moved = np.linalg.norm(np.sqrt(histogram.transform(small)) - z, axis=1).mean()
+            change[boundary, side] = moved / apart
+    assert change["subpixel", 128] < 0.35
+    assert change["subpixel", 64] < 0.55
+    assert change["subpixel", 32] < 0.9
+    assert change["subpixel", 64] < 0.8 * change["pixels", 64]
+    assert change["subpixel", 32] < 0.8 * change["pixels", 32]
+
+
+def test_rings_reach_as_far_as_a_context_sees(histograms):
+    histogram = histograms["pixels"]
     bar = np.zeros((200, 60), np.uint8)
     bar[20:180, 30] = 1  # its rings hold what is up and down, and nothing beyond the last
     (seen,) = histogram.describe([bar])
@@ -150,6 +205,28 @@ def test_arrays_restore_everything(histogram, sequence):
     )
 
 
+def test_what_was_saved_before_there_was_a_choice_follows_pixels(histograms, sequence):
+    pixels = histograms["pixels"]
+    stored = pixels.to_arrays()
+    assert stored.pop("boundary") == "pixels"
+    restored = ShapeContextHistogram.from_arrays(stored)
+    assert restored.boundary == "pixels"
+    z = pixels.transform(sequence.masks[:3])
+    np.testing.assert_array_equal(restored.transform(sequence.masks[:3]), z)
+
+
+def test_pixels_are_described_as_ever():
+    """Numbers of the version that knew no other boundary."""
+    rows, columns = np.indices((40, 30))
+    mask = ((columns - 15) ** 2 / 60 + (rows - 20) ** 2 / 250 < 1) | (rows // 3 == columns // 2)
+    histogram = ShapeContextHistogram(boundary="pixels", edge_points=40, codebook_size=4, n_jobs=1)
+    centres = [np.arange(60) * (k + 3) % 7 for k in range(4)]
+    histogram.codebook_ = (np.stack(centres) ** 2 / 800).astype(np.float32)
+    histogram.vote_width_ = 0.05
+    expected = [0.23876244296653218, 0.17641268106319047, 0.12809719422119634, 0.45672768174908107]
+    np.testing.assert_allclose(histogram.transform([mask])[0], expected, rtol=1e-12)
+
+
 def any_masks():
     """Arrays of any rank, size and type, most of them masks."""
     sides = st.integers(0, 40)
@@ -164,7 +241,7 @@ def any_masks():
 
 
 @settings(deadline=None, max_examples=300)
-@given(any_masks(), st.sampled_from(["usual", "spaced", "everywhere", "closed"]))
+@given(any_masks(), st.sampled_from(KINDS))
 def test_any_mask_gives_numbers_or_an_error(histograms, mask, kind):
     described = mask.ndim == 2 and mask.any() and np.isin(mask, (0, 1)).all()
     try:
@@ -180,7 +257,8 @@ def test_any_mask_gives_numbers_or_an_error(histograms, mask, kind):
 
 @pytest.mark.parametrize("side", [1, 2, 3, 4000])
 def test_a_full_frame_is_a_mask(histograms, side):
-    for histogram in histograms.values():
+    for kind in ("usual", "everywhere", "pixels"):
+        histogram = histograms[kind]
         z = histogram.transform(np.ones((1, side, side), np.uint8))
         assert z.sum() == pytest.approx(1)
 
@@ -197,6 +275,8 @@ def test_what_cannot_be_described_is_named(histogram, sequence):
         histogram.transform([])
     with pytest.raises(NotFittedError):
         ShapeContextHistogram().transform(sequence.masks)
+    with pytest.raises(InputError, match="boundary must be one of 'subpixel', 'pixels'"):
+        ShapeContextHistogram(boundary="smooth").fit(sequence.masks)
     with pytest.raises(InputError, match="radius must be positive"):
         ShapeContextHistogram(radius=0).fit(sequence.masks)
     with pytest.raises(InputError, match="inner_radius must be between 0 and 1"):

@@ -6,13 +6,14 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from silpose.descriptor.boundary import boundary_pixels
-from silpose.descriptor.shape_context import ring_bounds, sector_table, shape_contexts
+from silpose.descriptor.shape_context import ContextBins, ring_bounds, sector_table, shape_contexts
 
 
-def contexts(mask, reach=20.0, inner=2.0, angular=12, radial=5):
+def contexts(mask, reach=20.0, inner=2.0, angular=12, radial=5, keep=False):
     pixels, _ = boundary_pixels(mask)
     bounds = ring_bounds(reach, inner, radial)
-    return pixels, shape_contexts(pixels, pixels, bounds, sector_table(64, angular), angular)
+    bins = ContextBins.of(bounds, angular, np.ptp(pixels[:, 0]), keep)
+    return pixels, shape_contexts(pixels, pixels, bins)
 
 
 @settings(deadline=None, max_examples=50)
@@ -22,11 +23,12 @@ def contexts(mask, reach=20.0, inner=2.0, angular=12, radial=5):
     st.floats(0.02, 0.9),
     st.integers(1, 16),
     st.integers(2, 7),
+    st.booleans(),
 )
-def test_agrees_with_the_definition(mask, reach, share, angular, radial):
+def test_agrees_with_the_definition(mask, reach, share, angular, radial, keep):
     if not mask.any():
         return
-    pixels, found = contexts(mask, reach, share * reach, angular, radial)
+    pixels, found = contexts(mask, reach, share * reach, angular, radial, keep)
     expected = reference.contexts(pixels, pixels, reach, share * reach, angular, radial)
     np.testing.assert_allclose(found, expected, atol=1e-6)
 

@@ -52,7 +52,7 @@ def test_the_saved_model_tracks_from_a_blank_mask_on(hypotheses):
     masks = np.zeros((4, 96, 96), np.uint8)
     masks[1:, 20:80, 40:56] = 1
     model = silpose.load(hypotheses.folder)
-    track = model.track(masks)
+    track = model.track(masks, frames_per_second=15)
     assert track.state[0] == "starting" and np.isfinite(track.x).all()
     assert model.predict(masks, blank="nan", fit=True).state[0] == "blank"
 

@@ -1,4 +1,5 @@
 import csv
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -7,10 +8,11 @@ from small_components import REGRESSION
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
+from silpose.experiments.predict import _with_options
 from silpose.experiments.setup import fitter_of_model, prepare
 from silpose.fitting import FittingOptions
 from silpose.model import load
-from silpose.silhouette import MaskFiles, read_masks
+from silpose.silhouette import MaskSource
 from silpose.tracking import STATES, BeliefTracker
 
 
@@ -26,7 +28,7 @@ def model(described):
 
 @pytest.fixture(scope="module")
 def own(walkers, mask_folder):
-    return replace(walkers, masks=MaskFiles(str(mask_folder), blank="nan"))
+    return replace(walkers, masks=MaskSource(str(mask_folder), blank="nan", frames_per_second=15))
 
 
 def poses_of(run):
@@ -38,10 +40,13 @@ def test_poses_of_a_loaded_model_are_written_frame_by_frame(run, own, model, mas
     model.save(tmp_path / "model.npz")
     predicted = run("predict", own, model=str(tmp_path / "model.npz"))
     rows = poses_of(predicted)
-    expected = model.predict(read_masks(mask_folder), blank="nan")
+    expected = model.predict(mask_folder, blank="nan")
     assert [row["file"] for row in rows] == [f"{k}.png" for k in range(12)]
     assert [row["frame"] for row in rows] == [str(k) for k in range(12)]
-    assert "state" not in rows[0]
+    assert [row["blank"] for row in rows] == ["1" if k == 5 else "0" for k in range(12)]
+    assert [row["state"] for row in rows] == ["blank" if k == 5 else "estimated" for k in range(12)]
+    times = [float(row["time"]) for row in rows]
+    np.testing.assert_allclose(times, np.arange(12) / 15, atol=1e-5)
     joints = [f"{name}_{axis}_m" for name in ANGLES.joint_names for axis in "xyz"]
     written = np.array([[float(row[name]) for name in joints] for row in rows])
     np.testing.assert_allclose(written, expected.joints.reshape(12, -1), rtol=1e-4, atol=1e-6)
@@ -108,4 +113,47 @@ def test_masks_are_needed(run, walkers, mask_folder):
     with pytest.raises(InputError, match=r"silhouette=masks silhouette\.source"):
         run("predict", walkers)
     with pytest.raises(InputError, match=r"5\.png' has no foreground"):
-        run("predict", replace(walkers, masks=MaskFiles(str(mask_folder))))
+        run("predict", replace(walkers, masks=MaskSource(str(mask_folder))))
+
+
+def test_a_tree_gives_a_table_per_take(run, own, model, mask_folder, tmp_path):
+    root = tmp_path / "root"
+    for take in ("001/nm-01", "002/nm-01"):
+        shutil.copytree(mask_folder, root / take)
+    model.save(tmp_path / "model.npz")
+    tree = replace(own, masks=MaskSource(str(root)))
+    given = {"model": str(tmp_path / "model.npz"), "into": str(tmp_path / "poses")}
+    predicted = run("predict", tree, **given, pattern="subject/sequence", record=False)
+    assert predicted.result.summary.startswith("2 takes, 24 masks, 2 blank")
+    assert (tmp_path / "poses" / "002" / "nm-01.csv").is_file()
+    again = run("predict", tree, **given, record=False)
+    assert "2 takes were finished before" in again.result.summary
+
+
+def test_the_run_shows_the_settings_of_the_model(run, own, model, tmp_path):
+    model.save(tmp_path / "model.npz")
+    (tmp_path / "config.yaml").write_text("show: ridge\ndescriptor: {codebook_size: 40}\n")
+    predicted = run("predict", own, model=str(tmp_path), record=False)
+    assert "codebook_size: 40" in (predicted.folder / "config.yaml").read_text()
+
+
+def test_a_model_that_tracks_takes_blank_masks_and_asks_for_a_rate(
+    run, own, described, model, mask_folder, tmp_path
+):
+    tracker = BeliefTracker(pose_width=0.7, descriptor_width=0.6).fit(described.train)
+    replace(model, tracker=tracker).save(tmp_path / "model.npz")
+    masks = MaskSource(str(mask_folder))
+    with pytest.raises(InputError, match=r"silhouette\.frames_per_second=15"):
+        run("predict", replace(own, masks=masks), model=str(tmp_path))
+    masks = replace(masks, frames_per_second=30)
+    predicted = run("predict", replace(own, masks=masks), model=str(tmp_path), record=False)
+    assert len(poses_of(predicted)) == 12
+    assert predicted.result.summary.startswith("12 masks, 1 blank")
+    assert "tracking in" in predicted.result.summary or "lost" in str(poses_of(predicted))
+
+
+def test_what_the_fit_knows_is_as_in_training(run, own, fitter, model, tmp_path):
+    free = fitter.with_options(FittingOptions(camera="estimated", iterations=2, starts=1))
+    changed = _with_options(replace(model, fitter=free), FittingOptions(True, iterations=3)).fitter
+    assert (changed.fitter.camera_is, changed.fitter.iterations) == ("estimated", 3)
+    assert (changed.starts, changed.fitter.prior.lasting) == (1, free.fitter.prior.lasting)

@@ -12,7 +12,7 @@ from silpose.evaluation import BASELINES
 from silpose.fitting import FittingOptions
 from silpose.model import DescriptorCache, training
 from silpose.regression import Basis, Candidates, RidgeRegressor
-from silpose.silhouette import MaskFiles
+from silpose.silhouette.masks import MaskSource
 
 
 @pytest.fixture(scope="module")
@@ -47,8 +47,8 @@ def test_rows_hold_what_was_tried_and_what_came_out(single_image):
 
 
 def test_stages_are_timed_in_their_order(single_image):
-    stages = ["masks", "descriptors", "regression", "evaluation", "recording"]
-    assert list(single_image.seconds)[-4:] == stages[1:]  # masks may have been rendered before
+    stages = ["masks", "descriptors", "regression", "evaluation", "confidence", "recording"]
+    assert list(single_image.seconds)[-5:] == stages[1:]  # masks may have been rendered before
     assert list(json.loads((single_image.folder / "metrics.json").read_text())["seconds"])
 
 
@@ -89,7 +89,7 @@ def test_the_figure_has_samples_headings_and_a_bar_for_every_method(single_image
 
 
 def test_own_masks_and_unknown_methods_are_refused(run, walkers):
-    own = replace(walkers, masks=MaskFiles("somewhere"))
+    own = replace(walkers, masks=MaskSource("somewhere"))
     with pytest.raises(InputError, match="add experiment=predict"):
         run("single_image", own)
     with pytest.raises(InputError, match="show=svm is none of the methods ridge"):

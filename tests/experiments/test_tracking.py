@@ -7,6 +7,7 @@ import silpose
 from silpose.dataset import SamePerformer
 from silpose.experiments.tracking import SHOWN
 from silpose.fitting import FittingOptions
+from silpose.model import Poses
 from silpose.motion import MotionFolder
 from silpose.regression import Basis, Candidates, RidgeRegressor
 from silpose.silhouette import Camera
@@ -43,19 +44,19 @@ def test_the_figure_has_a_column_for_each_method_shown(tracking):
 
 def test_the_saved_tracker_tracks_a_take_and_a_stream_alike(tracking, sequence):
     model = silpose.load(tracking.folder)
-    track = model.track(sequence.masks, lag=3)
-    step = model.stream()
-    live = [step(mask) for mask in sequence.masks]
-    assert [state for _, state in live] == track.state
-    assert live[-1][0] == pytest.approx(track.x[-1])  # the last frame cannot wait
+    track = model.track(sequence.masks, lag=3, frames_per_second=15)
+    stream = model.stream()
+    live = Poses.concatenate([stream.step(mask) for mask in sequence.masks])
+    assert live.state == track.state
+    assert live.x[-1] == pytest.approx(track.x[-1])  # the last frame cannot wait
 
 
 def test_the_saved_model_fits_from_the_trackers_poses(tracking, sequence):
     model = silpose.load(tracking.folder)
     poses = model.predict(sequence.masks[:4], fit=True)
     assert len(poses.iou) == 4
-    x, state = model.stream(fit=True)(sequence.masks[0])
-    assert x.shape == (55,) and state in ("starting", "tracking")
+    live = model.stream(fit=True).step(sequence.masks[0])
+    assert live.x.shape == (1, 55) and live.state[0] in ("starting", "tracking")
 
 
 def test_on_the_authors_data_the_trackers_reach_what_is_claimed(run, authors):

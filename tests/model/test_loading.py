@@ -56,7 +56,9 @@ def test_saved_and_loaded_it_tracks_the_same(examples, kind, sequence, tmp_path)
     }[kind].fit(takes)
     model = model_of(examples, RidgeRegressor(damping=0.01), tracker)
     model.save(tmp_path / "model.npz")
-    track, again = model.track(sequence.masks), load(tmp_path).track(sequence.masks)
+    track, again = (
+        own.track(sequence.masks, frames_per_second=15) for own in (model, load(tmp_path))
+    )
     np.testing.assert_array_equal(track.x, again.x)
     assert track.state == again.state
 

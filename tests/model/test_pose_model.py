@@ -4,7 +4,7 @@ import pytest
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
-from silpose.model import PoseModel
+from silpose.model import PoseModel, Poses
 from silpose.regression import RelevanceVectorRegressor, RidgeRegressor
 from silpose.tracking import BeliefTracker
 
@@ -49,7 +49,7 @@ def test_a_blank_mask_is_a_row_of_nan_or_an_error_that_names_it(model, mask_fold
         np.testing.assert_array_equal(np.isnan(rows).all(axis=1), np.arange(12) == 5)
     with pytest.raises(InputError, match=r"5\.png' has no foreground"):
         model.predict(mask_folder)
-    with pytest.raises(InputError, match="mask 1 has no foreground"):
+    with pytest.raises(InputError, match="mask 'frame 1' has no foreground"):
         model.predict([sequence.masks[0], 0 * sequence.masks[0]])
     with pytest.raises(InputError, match="blank must be 'error' or 'nan'"):
         model.predict(sequence.masks, blank="skip")
@@ -77,29 +77,36 @@ def test_descriptors_are_explained_without_masks(model, sequence):
     np.testing.assert_array_equal(details.x, model.predict(sequence.masks[:4]).x)
 
 
-def test_a_stream_tracks_frame_by_frame_and_changes_no_other(tracking, sequence):
+def test_a_stream_tracks_frame_by_frame_and_changes_no_other(tracking, sequence, tmp_path):
     masks = sequence.masks[:12].copy()
     masks[5] = 0
-    track = tracking.track(masks)
-    step, other = tracking.stream(), tracking.stream()
-    live = []
+    track = tracking.track(masks, frames_per_second=15)
+    stream, other = tracking.stream(), tracking.stream()
+    steps = []
     for mask in masks:
-        live.append(step(mask))
-        tracking.track(masks[:3])
-        other(masks[0])
-    np.testing.assert_allclose([x for x, _ in live], track.x)
-    assert [state for _, state in live] == track.state
+        steps.append(stream.step(mask))
+        tracking.track(masks[:3], frames_per_second=15)
+        other.step(masks[0])
+    live = Poses.concatenate(steps)
+    np.testing.assert_allclose(live.x, track.x)
+    assert live.state == track.state
+    np.testing.assert_allclose(live.time, track.time, atol=1e-9)
+    assert live.facts.blank.nonzero()[0].tolist() == [5]
+    live.save_bvh(tmp_path / "live.bvh")
 
 
 def test_a_stream_may_begin_with_a_blank_mask(tracking, sequence):
-    step = tracking.stream()
-    assert step(0 * sequence.masks[0])[1] == "starting"
-    assert np.isfinite(step(sequence.masks[1])[0]).all()
+    stream = tracking.stream()
+    assert stream.step(0 * sequence.masks[0]).state == ["starting"]
+    assert np.isfinite(stream.step(sequence.masks[1]).x).all()
 
 
-def test_other_frame_rates_and_models_without_tracker_are_refused(model, tracking, sequence):
-    with pytest.raises(InputError, match="trained at 15 frames per second"):
-        tracking.track(sequence.masks, frames_per_second=30)
+def test_a_rate_that_is_not_known_is_asked_for(tracking, sequence):
+    with pytest.raises(InputError, match=r"silhouette\.frames_per_second=15 \(in Python"):
+        tracking.track(sequence.masks)
+
+
+def test_a_model_without_tracker_says_how_to_train_one(model, sequence):
     for use in (model.stream, lambda: model.track(sequence.masks)):
         with pytest.raises(InputError, match="train one with experiment=tracking"):
             use()

@@ -1,6 +1,7 @@
 """One recording of every kind, what is in it, and whether it can be drawn here."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -22,6 +23,7 @@ from silpose.recording import (
     record_fitting,
     record_hypotheses,
     record_modes,
+    record_prediction,
     record_study,
     record_tracking,
 )
@@ -113,6 +115,10 @@ def recordings(finished, sequence, modes, states, header, tmp_path_factory):
     )
     codebook = descriptor.codebook_
     record_context_space(head("context_space"), few, described, space, codebook, 12, 15.0)
+
+    details = finished.model.explain(masks[:6])
+    poses = replace(finished.model.predict(details), confidence=np.linspace(0.2, 0.9, 6))
+    record_prediction(head("prediction"), finished.model, details, poses)
 
     truth = GroundTruth.of(sequence, Camera(), {"tracker": np.zeros(frames)}, ANGLES)
     track = Track(sequence.x, states, np.eye(frames))

@@ -3,7 +3,7 @@ import pytest
 from rerun.chunk import RrdReader
 
 from silpose.recording import entity_paths as entities
-from silpose.recording import read_recording, record_prediction
+from silpose.recording import read_recording
 
 
 def test_every_method_has_its_errors(finished):
@@ -28,21 +28,6 @@ def test_examples_weigh_less_from_left_to_right(finished, logged):
         assert len(weights) == 5
         assert weights == sorted(weights, reverse=True)
         assert sum(weights) <= 102  # each is rounded
-
-
-def test_a_blank_mask_draws_no_skeleton(tmp_path, finished, mask_folder, header, logged):
-    details = finished.model.explain(mask_folder, blank="nan")
-    path = tmp_path / "p.rrd"
-    record_prediction(header(path), finished.model, details, 15.0, ["tracking"] * 12)
-    strips = logged(path, entities.ESTIMATED_SKELETON, "LineStrips3D:strips")
-    assert [bool(np.isnan(np.array(frame)).any()) for frame in strips] == [
-        frame == 5 for frame in range(12)
-    ]
-    drawn = np.array(strips[6])
-    assert drawn[..., 1].min() == pytest.approx(0, abs=1e-6)  # it stands on the ground
-    assert logged(path, entities.STATE, "StateChange:state") == [["tracking"]]
-    found = {chunk.entity_path for chunk in RrdReader(path).stream()}
-    assert not found & {entities.TRUE_SKELETON, entities.TRUE_POSE}
 
 
 def test_a_catalog_gets_settings_metrics_and_versions(finished):

@@ -12,6 +12,7 @@ from silpose.recording.layout.views import (
     Window,
     blueprint,
     bodies_view,
+    confidence_view,
     errors_view,
     estimate_input_view,
     from_the_front,
@@ -60,20 +61,18 @@ def single_image_layout(
     return blueprint(columns, [1.3, 1.7, 1], frames_per_second)
 
 
-def prediction_layout(frames_per_second: float, window: Window, tracked: bool) -> rrb.Blueprint:
-    """Lay out poses estimated from masks, without ground truth."""
+def prediction_layout(frames_per_second: float, window: Window, judged: bool) -> rrb.Blueprint:
+    """Lay out poses estimated from masks, without ground truth; with confidence if `judged`."""
     bodies = bodies_view(
-        "estimated pose; left side light, right side dark",
+        "estimated pose, red where it is doubtful; left side light, right side dark",
         [entity_paths.ESTIMATED_SKELETON],
         FROM_THE_SIDE,
     )
     heading = series_view("heading, degrees", [entity_paths.ESTIMATED_HEADING])
-    state, share = ([state_view()], [0.5]) if tracked else ([], [])
-    estimate = rrb.Vertical(
-        bodies, *state, heading, heading_norm_view(), row_shares=[3.4, *share, 1, 0.7]
-    )
-    columns = [estimate_input_view(window), estimate, texts_view()]
-    return blueprint(columns, [1.3, 1.7, 0.6], frames_per_second)
+    certainty = confidence_view() if judged else heading_norm_view()
+    estimate = rrb.Vertical(bodies, state_view(), heading, certainty, row_shares=[3.4, 0.5, 1, 0.7])
+    inputs = estimate_input_view(window, "mask, edge points and estimated pose")
+    return blueprint([inputs, estimate, texts_view()], [1.3, 1.7, 0.6], frames_per_second)
 
 
 def comparison_layout(

@@ -57,7 +57,9 @@ def hide(part: rrb.Container | rrb.View, origin: str) -> None:
         part.visible = False
 
 
-def estimate_input_view(window: Window | None) -> rrb.Container:
+def estimate_input_view(
+    window: Window | None, title: str = "mask and edge points"
+) -> rrb.Container:
     """Mask, codebook, histogram and activations; without a window the last two."""
     bars = [
         histogram_view(),
@@ -65,9 +67,7 @@ def estimate_input_view(window: Window | None) -> rrb.Container:
     ]
     if window is None:
         return rrb.Vertical(*bars)
-    above = rrb.Horizontal(
-        mask_view("mask and edge points", window), codebook_view(), column_shares=[1, 1.2]
-    )
+    above = rrb.Horizontal(mask_view(title, window), codebook_view(), column_shares=[1, 1.2])
     return rrb.Vertical(above, *bars, row_shares=[1.8, 1, 1])
 
 
@@ -92,7 +92,7 @@ def mask_view(
     """Mask with its edge points, where there are any."""
     return rrb.Spatial2DView(
         origin=entity_paths.CAMERA,
-        contents=[entity_paths.MASK, entity_paths.EDGE_POINTS],
+        contents=[entity_paths.MASK, entity_paths.EDGE_POINTS, entity_paths.OVERLAID_SKELETON],
         name=name,
         visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:])
         if window
@@ -144,9 +144,14 @@ def heading_norm_view() -> rrb.TimeSeriesView:
     return series_view(title, [entity_paths.HEADING_NORM], (0.0, 1.3))
 
 
+def confidence_view() -> rrb.TimeSeriesView:
+    """Confidence over time."""
+    return series_view("confidence: below 0.5 is doubtful", [entity_paths.CONFIDENCE], (0.0, 1.05))
+
+
 def state_view() -> rrb.StateTimelineView:
-    """State of a tracker as a lane."""
-    return rrb.StateTimelineView(origin=entity_paths.STATE, name="state of the tracker")
+    """State of each frame as a lane."""
+    return rrb.StateTimelineView(origin=entity_paths.STATE, name="state")
 
 
 def texts_view(examples: bool = False) -> rrb.Container:

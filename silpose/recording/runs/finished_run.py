@@ -39,6 +39,8 @@ class FinishedRun:
         Settings of the run as YAML.
     headline : float or None, default=None
         What a sweep minimises; None where the experiment chooses nothing.
+    summary : str, default=""
+        What was found, in one line, where metrics do not say it.
     """
 
     folder: Path
@@ -48,6 +50,7 @@ class FinishedRun:
     seconds: dict[str, float]
     config: str
     headline: float | None = None
+    summary: str = ""
 
     @property
     def model(self) -> PoseModel:
@@ -129,6 +132,7 @@ def load_run(folder: str | Path) -> FinishedRun:
             content["seconds"],
             config,
             content.get("headline"),
+            content.get("summary", ""),
         )
     except OSError as error:
         raise InputError(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -49,8 +49,12 @@ class Result:
     headline : float or None
         What a sweep minimises: the validation error of what the experiment is about. None where
         nothing is chosen.
-    tables : mapping of str to sequence of sequence
-        Further tables by the name of their file (``poses.csv``), the row of titles first.
+    tables : mapping of str to str
+        Further tables, as CSV, by the name of their file (``poses.csv``).
+    used_model : str or None
+        Path of a model that an earlier run trained, whose settings are written as this run's.
+    summary : str
+        What the terminal says at the end, in one line; empty where metrics say it.
 
     See Also
     --------
@@ -64,4 +68,6 @@ class Result:
     recording: Recording | None = None
     model: PoseModel | None = None
     headline: float | None = None
-    tables: Mapping[str, Sequence[Sequence[object]]] = field(default_factory=dict)
+    tables: Mapping[str, str] = field(default_factory=dict)
+    used_model: str | None = None
+    summary: str = ""

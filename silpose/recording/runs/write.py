@@ -5,10 +5,12 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from silpose.core.stages import stage
 from silpose.core.types import Row
+from silpose.recording.runs.model_settings import with_model_settings
 from silpose.recording.runs.result import Result
 from silpose.recording.runs.run_folder import RunFolder
 
@@ -31,13 +33,16 @@ def write_result(
         Seconds by stage: what `silpose.core.stages.timing` collects, so that the stage
         ``recording``, which is timed here, is among them.
     """
+    if result.used_model is not None:
+        own = with_model_settings(folder.settings, result.used_model)
+        folder = replace(folder, settings=own)
     figure = _write_figure(folder, result)
     if result.model is not None:
         with folder.writing("model.npz") as path:
             result.model.save(path)
     for name, table in result.tables.items():
         with folder.writing(name) as path:
-            _write_table(path, table)
+            path.write_text(table, encoding="utf-8", newline="")
     if result.recording is not None and folder.sinks.kinds:
         with stage("recording"):
             result.recording.write(folder.header(result.recording.words, result.metrics, figure))
@@ -53,6 +58,8 @@ def write_result(
         "seconds": {name: round(value, 3) for name, value in seconds.items()},
         "metrics": result.metrics,
     }
+    if result.summary:
+        content["summary"] = result.summary
     if result.headline is not None:
         content["headline"] = result.headline
     with folder.writing("metrics.json") as path:

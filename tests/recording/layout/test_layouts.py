@@ -8,6 +8,7 @@ from silpose.recording.viewer.screenshots import opened
 
 VIEWS = {
     "single_image": 11,
+    "prediction": 10,
     "study": 4,
     "bridges": 6,
     "features": 4,

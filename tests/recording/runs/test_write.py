@@ -37,7 +37,8 @@ def result():
         recording=Recording("words", STUDY),
         model=Model(),
         headline=3.5,
-        tables={"poses.csv": [["frame", "x"], [0, 1.5]]},
+        tables={"poses.csv": "frame,x\n0,1.5\n"},
+        summary="12 masks",
     )
 
 
@@ -55,6 +56,7 @@ def test_everything_is_written_and_reads_back(tmp_path, result):
     assert run.metrics == result.metrics
     assert run.dataset == "walker"
     assert run.headline == 3.5
+    assert run.summary == "12 masks"
     assert run.config == "seed: 3\n"
     assert list(run.seconds) == ["fit", "recording"]
     rows = list(csv.DictReader((folder.folder / "results.csv").open()))

@@ -1,0 +1,149 @@
+"""From descriptors and what was seen to `Poses`: estimated, tracked or fitted, with confidence."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from silpose.core.errors import InputError
+from silpose.core.types import Array
+from silpose.model.pose_fitter import PoseFitter
+from silpose.model.poses import Poses
+from silpose.model.prediction_details import PredictionDetails
+from silpose.silhouette.person import MaskFacts
+from silpose.tracking import Tracker, times_of, track_at
+
+if TYPE_CHECKING:
+    from silpose.model.pose_model import PoseModel
+
+ESTIMATED = "estimated"
+"""State of a frame whose pose was estimated from itself alone."""
+
+_LAG = 0.5  # seconds that a tracker waits for later masks where all are fitted together
+_TOLERATED = 0.1  # share of doubtful poses; of clean masks it is a twentieth
+
+UNCALIBRATED = (
+    "this model was trained without a calibration of its confidence, which is NaN: train it again "
+    "to be told of doubtful poses"
+)
+"""What is said of a model without calibration."""
+
+
+def estimated(model: PoseModel, details: PredictionDetails) -> Poses:
+    """Answer with each frame's own estimate.
+
+    Parameters
+    ----------
+    model : PoseModel
+    details : PredictionDetails
+        Of masks; a source without a rate has times at the model's.
+    """
+    rate = details.frames_per_second or model.frames_per_second
+    states = [state or ESTIMATED for state in _facts(details).states()]
+    time = times_of(len(details), rate)
+    assert time is not None
+    confidence = calibrated(model, details.z, details.x, _facts(details))
+    poses = Poses(details.x, model.space, confidence, states, time, facts=details.facts)
+    return _said_if_doubtful(poses, details.source)
+
+
+def tracked(
+    model: PoseModel,
+    tracker: Tracker,
+    details: PredictionDetails,
+    lag: float = 0.0,
+    time: ArrayLike | None = None,
+) -> Poses:
+    """Answer with poses over time, one for each frame, also where nobody was seen.
+
+    Parameters
+    ----------
+    model : PoseModel
+    tracker : Tracker
+        The model's.
+    details : PredictionDetails
+    lag : float, default=0.0
+        Frames of the masks, at their usual interval, that each estimate may wait for.
+    time : array-like, shape (F,), optional
+        Seconds of each frame.
+
+    Raises
+    ------
+    InputError
+        If neither the times nor the rate of the masks are known.
+    """
+    seconds = times_of(len(details), details.frames_per_second, time)
+    if seconds is None:
+        raise InputError(rate_wanted(details.source or "these masks", model.frames_per_second))
+    interval = float(np.median(np.diff(seconds))) if len(seconds) > 1 else 0.0
+    x, states, track = track_at(tracker, details.z, seconds, lag * interval)
+    confidence = calibrated(model, details.z, x, _facts(details))
+    poses = Poses(x, model.space, confidence, states, seconds, facts=details.facts, track=track)
+    return _said_if_doubtful(poses, details.source)
+
+
+def fitted(model: PoseModel, fitter: PoseFitter, details: PredictionDetails) -> Poses:
+    """Answer with the body fitted to consecutive masks; at the model's rate if none is known.
+
+    Fits start from a tracker's poses if the model has one, and from the regressor's otherwise.
+    """
+    rate, followed = details.frames_per_second or model.frames_per_second, None
+    time = times_of(len(details), rate)
+    assert time is not None
+    if model.tracker is not None:
+        followed = track_at(model.tracker, details.z, time, _LAG)[0]
+    seen = _facts(details).seen
+    masks = [m if own else np.zeros_like(m) for m, own in zip(details.masks, seen, strict=True)]
+    fit = fitter.fit(masks, details.z, details.x, tracked=followed, frames_per_second=rate)
+    poses = Poses(
+        fit.x, model.space, fit.confidence, fit.state, time, iou=fit.iou, facts=details.facts
+    )
+    return _said_if_doubtful(poses, details.source)
+
+
+def confidence_of(model: PoseModel, z: Array, x: Array, facts: MaskFacts) -> Array:
+    """Confidence (F,) in poses; NaN if the model has no calibration."""
+    if model.confidence is None:
+        return np.full(len(x), np.nan)
+    return model.confidence.of(z, x, facts)
+
+
+def calibrated(model: PoseModel, z: Array, x: Array, facts: MaskFacts) -> Array:
+    """Confidence (F,) in poses; where the model has no calibration, that is said."""
+    if model.confidence is None:
+        warn_without_calibration()
+    return confidence_of(model, z, x, facts)
+
+
+def warn_without_calibration() -> None:
+    """Say that confidence is unknown."""
+    warnings.warn(UNCALIBRATED, stacklevel=5)
+
+
+def _said_if_doubtful(poses: Poses, source: str) -> Poses:
+    """Say it if more poses are doubtful than of clean masks are."""
+    doubtful = int((poses.doubtful & poses.seen).sum())
+    if doubtful > _TOLERATED * len(poses):
+        warnings.warn(
+            f"{doubtful} of {len(poses)} frames of {source or 'these masks'} look like nothing "
+            "that trained: see their confidence",
+            stacklevel=4,
+        )
+    return poses
+
+
+def rate_wanted(source: str, usual: float) -> str:
+    """Ask for the rate of some masks, which is perhaps the model's usual one."""
+    return (
+        f"the frame rate of {source} is not known, and a tracker needs it: add "
+        f"silhouette.frames_per_second={usual:g} (in Python frames_per_second={usual:g}), or "
+        "whatever it is"
+    )
+
+
+def _facts(details: PredictionDetails) -> MaskFacts:
+    assert details.facts is not None, "there are no masks"
+    return details.facts

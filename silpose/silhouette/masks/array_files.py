@@ -1,0 +1,62 @@
+"""Arrays of masks in files of NumPy."""
+
+from __future__ import annotations
+
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+from silpose.core.errors import InputError
+from silpose.silhouette.masks.picture import Pixels
+
+ARRAYS = (".npy", ".npz")
+"""Suffixes of arrays in files."""
+
+_USUAL_NAMES = ("masks", "mask", "silhouettes", "silhouette", "segmentation", "arr_0", "data")
+
+
+def read_array_file(file: Path) -> Pixels:
+    """Read the masks of an ``.npy`` or ``.npz`` file.
+
+    Raises
+    ------
+    InputError
+        If it is damaged, holds pickled objects, or several arrays of which none has a usual name.
+    """
+    try:
+        loaded = np.load(file, allow_pickle=False)
+        if isinstance(loaded, np.ndarray):
+            return loaded
+        with loaded:
+            return np.asarray(loaded[_name(file, loaded.files)])
+    except (OSError, EOFError, zipfile.BadZipFile, KeyError) as error:
+        raise InputError(
+            f"'{file}' is incomplete or damaged ({error}): remove it, or write it anew"
+        ) from None
+    except ValueError as error:
+        if isinstance(error, InputError):
+            raise
+        if file.read_bytes()[:2] not in (b"\x93N", b"PK"):
+            raise InputError(
+                f"'{file}' is no array of NumPy, or damaged: save the masks by "
+                "np.save('masks.npy', masks)"
+            ) from None
+        raise InputError(
+            f"'{file}' holds pickled objects, which could run any program, or is damaged: save "
+            "masks of one size as one array, np.save('masks.npy', np.stack(masks)), or each as an "
+            "image"
+        ) from None
+
+
+def _name(file: Path, names: list[str]) -> str:
+    """Choose the array that is the masks."""
+    if len(names) == 1:
+        return names[0]
+    usual = [name for name in _USUAL_NAMES if name in names]
+    if not usual:
+        raise InputError(
+            f"'{file}' holds the arrays {', '.join(names) or '(none)'}: name the one of the masks "
+            "'masks'"
+        )
+    return usual[0]

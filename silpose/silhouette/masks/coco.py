@@ -1,0 +1,121 @@
+"""Pictures of masks in JSON: run-length encoded, polygons, or rows of pixels."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+
+from silpose.core.errors import InputError
+from silpose.core.types import Mask
+from silpose.silhouette.masks.json_forms import Record, records_of
+from silpose.silhouette.masks.natural_order import in_natural_order
+from silpose.silhouette.masks.picture import Picture
+from silpose.silhouette.masks.run_lengths import is_run_lengths, mask_of_run_lengths
+
+_IDENTITIES = ("track_id", "instance_id", "object_id", "obj_id", "person_id")
+
+
+def read_coco(file: Path) -> tuple[list[Picture], tuple[str, ...]]:
+    """Read a JSON file of masks: a picture for each image, and what is doubtful.
+
+    Raises
+    ------
+    InputError
+        If it is no JSON, or holds no masks, or a mask that does not fit its size.
+    """
+    try:
+        content = json.loads(file.read_text(encoding="utf-8-sig"))
+    except (OSError, ValueError) as error:
+        raise InputError(f"'{file}' is incomplete, or no JSON ({error}): write it anew") from None
+    return pictures_of_records(content, f"'{file}'")
+
+
+def pictures_of_records(content: Any, source: str) -> tuple[list[Picture], tuple[str, ...]]:
+    """Make a picture of each image that JSON tells of; images without any mask are blank.
+
+    Parameters
+    ----------
+    content : mapping or sequence
+        As of `records_of`.
+    source : str
+        What it is called in messages.
+    """
+    held = records_of(content, source)
+    sizes = {i.get("id"): (i.get("height"), i.get("width")) for i in held.images}
+    names = {i.get("id"): str(i.get("file_name") or f"image {i.get('id')}") for i in held.images}
+    found: dict[Any, list[Record]] = {key: [] for key in names}
+    for record in held.records:
+        found.setdefault(record.get("image_id"), []).append(record)
+    keys = list(found)
+    called = [names.get(key, f"image {key}") for key in keys]
+    order = in_natural_order(called)
+    drawn = [_draw(found[keys[k]], sizes.get(keys[k]), f"{called[k]} of {source}") for k in order]
+    shape = next((plane.shape for plane in drawn if plane is not None), None)
+    if shape is None:
+        raise InputError(f"{source} holds no masks, and no image has a height and width")
+    kind = max((p.dtype for p in drawn if p is not None), key=lambda dtype: dtype.itemsize)
+    planes = [np.zeros(shape, kind) if p is None else p.astype(kind) for p in drawn]
+    pictures = [Picture(p, called[k]) for p, k in zip(planes, order, strict=True)]
+    return pictures, held.doubts
+
+
+def _draw(records: list[Record], size: Any, source: str) -> np.ndarray | None:
+    """Draw the masks of one image: with the identities that they have, else all as one."""
+    records = [record for record in records if record.get("segmentation") is not None]
+    if not records:
+        return np.zeros(size, np.uint8) if size and all(size) else None
+    plane: np.ndarray | None = None
+    for record in records:
+        mask = _mask(record, size, source)
+        identity = next((record[key] for key in _IDENTITIES if key in record), 1)
+        if plane is None:
+            plane = np.zeros(mask.shape, np.int32)
+        if plane.shape != mask.shape:
+            raise InputError(f"{source} has masks of several sizes: write them anew")
+        try:
+            plane[mask > 0] = int(identity)
+        except (TypeError, ValueError):
+            raise InputError(
+                f"{source} has the identity '{identity}': give each person a number from 1"
+            ) from None
+    assert plane is not None
+    return plane.astype(np.uint8) if plane.max() <= 1 else plane
+
+
+def _mask(record: Record, size: Any, source: str) -> Mask:
+    shape = record["segmentation"]
+    if is_run_lengths(shape):
+        return mask_of_run_lengths(shape, source)
+    if _is_plane(shape):
+        return (np.asarray(shape) > 0).astype(np.uint8)
+    if not size or not all(size):
+        raise InputError(
+            f"{source} is a polygon, and its image has no height and width: add them to 'images'"
+        )
+    return _polygons(shape, size, source)
+
+
+def _is_plane(shape: Any) -> bool:
+    """Whether rows of one length are a mask itself, of numbers that are 0 and 1 or booleans."""
+    try:
+        plane = np.asarray(shape)
+    except ValueError:
+        return False
+    return plane.ndim == 2 and plane.size > 0 and plane.dtype.kind in "bui" and plane.max() <= 1
+
+
+def _polygons(polygons: Any, size: Any, source: str) -> Mask:
+    mask = np.zeros(size, np.uint8)
+    try:
+        points = [np.asarray(polygon, float).reshape(-1, 2) for polygon in polygons]
+    except (TypeError, ValueError) as error:
+        raise InputError(
+            f"{source} has a polygon that cannot be read ({error}): write it anew"
+        ) from None
+    for polygon in points:  # corners are at whole numbers, and pixels' centres between them
+        cv2.fillPoly(mask, [np.rint((polygon - 0.5) * 16).astype(np.int32)], 1, shift=4)
+    return mask

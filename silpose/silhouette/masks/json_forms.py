@@ -1,0 +1,146 @@
+"""Forms of JSON that hold masks, brought to one: a record for each mask, with its image."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from silpose.core.errors import InputError
+from silpose.silhouette.masks.run_lengths import is_run_lengths
+
+WANTED = (
+    "give COCO annotations or results, or a list of masks {'size': [H, W], 'counts': …}, "
+    "one for each frame"
+)
+
+_PERSON = ("person", "people", "human", "pedestrian")
+_COCO_PERSON = 1
+_LEAST_SCORE = 0.5  # of a detection
+_SEGMENTS = ("stability_score", "crop_box", "point_coords")  # of one image, cut in all its parts
+
+Record = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Records:
+    """Masks by image.
+
+    Attributes
+    ----------
+    records : list of mapping
+        Each with ``segmentation``, ``image_id`` and, perhaps, ``track_id``.
+    images : list of mapping
+        Each with ``id`` and, perhaps, ``file_name``, ``height`` and ``width``; those that no
+        record names are blank.
+    doubts : tuple of str
+    """
+
+    records: list[Record]
+    images: list[Record] = field(default_factory=list)
+    doubts: tuple[str, ...] = ()
+
+
+def is_record(item: object) -> bool:
+    """Whether an item of a list is a mask as JSON files hold it."""
+    return isinstance(item, Mapping) and ("segmentation" in item or is_run_lengths(item))
+
+
+def records_of(content: Any, source: str) -> Records:
+    """Bring JSON to records.
+
+    Parameters
+    ----------
+    content : mapping or sequence
+        A COCO or YouTube-VIS dataset, COCO results, the segments of SAM, run lengths by frame and
+        object, or a list of run lengths, one a frame.
+    source : str
+        What it is called in messages.
+    """
+    images: list[Record] = []
+    if isinstance(content, Mapping) and "annotations" in content:
+        images = list(content.get("images") or [])
+        content, doubts = _people(
+            content["annotations"] or [], content.get("categories") or [], source
+        )
+    elif isinstance(content, Mapping):
+        content, doubts = [content] if is_record(content) else _by_frame(content), ()
+    elif isinstance(content, Sequence) and not isinstance(content, str):
+        content, doubts = _people(content, [], source)
+    if not isinstance(content, Sequence) or isinstance(content, str) or not content:
+        raise InputError(f"{source} holds no masks: {WANTED}")
+    if all(isinstance(item, Mapping) and "segmentations" in item for item in content):
+        return Records(_of_videos(content, source), images, doubts)
+    if all(item is None or is_run_lengths(item) for item in content):
+        return _frames(content)
+    for position, item in enumerate(content):
+        if not is_record(item):
+            raise InputError(f"item {position} of {source} is no mask: {WANTED}")
+    return Records(_with_images(content), images, doubts)
+
+
+def _people(records: Any, categories: Sequence[Record], source: str) -> tuple[Any, tuple[str, ...]]:
+    """Keep people, as far as categories tell, and what was detected with some certainty."""
+    if not all(isinstance(record, Mapping) for record in records):
+        return records, ()
+    kept = [r for r in records if float(r.get("score", 1)) >= _LEAST_SCORE] or list(records)
+    people = {c.get("id") for c in categories if str(c.get("name", "")).lower() in _PERSON}
+    if people:
+        return [r for r in kept if r.get("category_id") in people], ()
+    found = {r.get("category_id") for r in kept}
+    if len(found) > 1 and _COCO_PERSON in found:
+        doubt = (
+            f"{source} has several categories without names: 1 is taken for the person, as in COCO"
+        )
+        return [r for r in kept if r.get("category_id") == _COCO_PERSON], (doubt,)
+    return kept, ()
+
+
+def _by_frame(content: Record) -> list[Record] | None:
+    """Read a mapping from frames to masks, or to masks by object, as trackers write it."""
+    if not content or not all(str(key).lstrip("-").isdecimal() for key in content):
+        return None
+    records: list[Record] = []
+    for frame, held in content.items():
+        objects = {1: held} if is_run_lengths(held) else held
+        if not isinstance(objects, Mapping):
+            return None
+        records += [
+            {"image_id": int(frame), "track_id": key, "segmentation": mask}
+            for key, mask in objects.items()
+        ]
+        if not objects:
+            records.append({"image_id": int(frame), "segmentation": None})
+    return records
+
+
+def _of_videos(annotations: Sequence[Record], source: str) -> list[Record]:
+    """Take the frames of each object of a video."""
+    videos = {annotation.get("video_id") for annotation in annotations}
+    if len(videos) > 1:
+        raise InputError(f"{source} holds {len(videos)} videos: give a file for each")
+    return [
+        {"image_id": frame, "track_id": position + 1, "segmentation": mask}
+        for position, annotation in enumerate(annotations)
+        for frame, mask in enumerate(annotation["segmentations"])
+    ]
+
+
+def _frames(masks: Sequence[Record | None]) -> Records:
+    """Take one mask for each frame, None for a blank one."""
+    images = [{"id": k, "file_name": f"frame {k}"} for k in range(len(masks))]
+    return Records(
+        [{"image_id": k, "segmentation": m} for k, m in enumerate(masks) if m is not None],
+        list(images),
+    )
+
+
+def _with_images(records: Sequence[Record]) -> list[Record]:
+    """Say which image each record belongs to, if none does."""
+    own: list[Record] = [r if "segmentation" in r else {"segmentation": r} for r in records]
+    if any("image_id" in record for record in own):
+        return own
+    if any(key in record for record in own for key in _SEGMENTS):
+        own = sorted(own, key=lambda record: -float(record.get("area", 0)))
+        return [{**r, "image_id": 0, "track_id": k + 1} for k, r in enumerate(own)]
+    return [{**r, "image_id": k} for k, r in enumerate(own)]

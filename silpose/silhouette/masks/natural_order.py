@@ -1,0 +1,51 @@
+"""Order of names by the numbers in them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+_NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
+
+
+def in_natural_order(names: Sequence[str]) -> list[int]:
+    """Order names by their numbers, 2 before 10 and 0.9 before 1.
+
+    What follows a dot are decimals (0.25 before 0.3), unless the names count there (1.9 before
+    1.10): decimals of different lengths do not end in zero.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Without suffixes.
+
+    Returns
+    -------
+    order : list of int
+        Indices of the names.
+    """
+    counted = _counts_after_dots(names)
+    keys = [_key(name, counted) for name in names]
+    return sorted(range(len(names)), key=keys.__getitem__)
+
+
+def without_numbers(name: str) -> str:
+    """Replace the numbers in a name: what is the same for all frames of a take."""
+    return _NUMBER.sub("#", name)
+
+
+def _counts_after_dots(names: Sequence[str]) -> bool:
+    decimals = [n.split(".")[1] for name in names for n in _NUMBER.findall(name) if "." in n]
+    lengths = {len(digits) for digits in decimals}
+    return len(lengths) > 1 and any(digits.endswith("0") for digits in decimals)
+
+
+def _key(name: str, counted: bool) -> list[tuple[str, float, float, str]]:
+    """Text and numbers in turn: each text, then the number behind it."""
+    parts = _NUMBER.split(name)
+    key = []
+    for text, number in zip(parts[::2], [*parts[1::2], ""], strict=True):
+        whole, _, decimals = number.partition(".")
+        after = float(decimals or -1) if counted else float(f"0.{decimals or 0}")
+        key.append((text.casefold(), float(whole or -1), after, number))
+    return [*key, (name, 0.0, 0.0, "")]

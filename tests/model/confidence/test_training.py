@@ -1,0 +1,105 @@
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from silpose.core.pose_space import ANGLES
+from silpose.dataset import Dataset
+from silpose.fitting import BodyFitter, PosePrior
+from silpose.model import DescribedDataset, PoseFitter, load
+from silpose.model.confidence import right_poses, train_confidence, training
+from silpose.model.confidence.odd_frames import frames_of_masks
+
+
+def test_wrong_poses_of_odd_masks_are_mostly_doubtful(small):
+    data, descriptor = small.described.data, small.described.descriptor
+    frames = frames_of_masks(data.test, descriptor, 0, 300, np.random.default_rng(5))
+    estimated = small.regressor.predict(frames.z)
+    known = np.isfinite(frames.x).all(axis=1)
+    right = np.zeros(len(known), bool)
+    right[known] = right_poses(ANGLES, frames.x[known], estimated[known])
+    confident = small.confidence.of(frames.z, estimated, frames.facts) >= 0.5
+    assert (confident & ~right).sum() < 0.25 * (~right).sum()
+    assert right[confident].mean() > right[~confident].mean() + 0.3
+
+
+def test_training_is_repeatable(small):
+    again = train_confidence(small.described, small.regressor)
+    np.testing.assert_array_equal(again.calibration.weights, small.confidence.calibration.weights)
+
+
+def test_a_model_keeps_its_confidence(small, tmp_path):
+    model = small.described.model(small.regressor)
+    model.save(tmp_path / "model.npz")
+    masks = small.described.data.test[0].masks[:6]
+    loaded, own = load(tmp_path / "model.npz").predict(masks), model.predict(masks)
+    np.testing.assert_array_equal(loaded.confidence, own.confidence)
+    assert (own.confidence > 0.5).all()
+
+
+def test_descriptors_alone_are_enough(small):
+    data = small.described.data
+    bare = [
+        [replace(take, masks=None, z=z) for take, (z, _) in zip(takes, examples, strict=True)]
+        for takes, examples in (
+            (data.train, small.described.train),
+            (data.test, small.described.test),
+        )
+    ]
+    data = Dataset("bare", ANGLES, bare[0], [], bare[1])
+    described = DescribedDataset(data, None, small.described.train, [], small.described.test)
+    confidence = train_confidence(described, small.regressor)
+    z, _ = small.described.test[0]
+    assert np.mean(confidence.of(z, small.regressor.predict(z)) >= 0.5) > 0.9
+
+
+@pytest.mark.parametrize("by_performer", [False, True])
+def test_a_single_take_is_enough(small, by_performer):
+    data = small.described.data
+    data = Dataset("one", ANGLES, data.train[:1], [], [], by_performer)
+    described = DescribedDataset(
+        data, small.described.descriptor, small.described.train[:1], [], []
+    )
+    assert train_confidence(described, small.regressor).examples.roots.shape == (60, 40)
+
+
+def test_many_performers_are_left_out_in_a_few_parts(small):
+    data = small.described.data
+    takes = [replace(take, performer=take.name) for take in data.train] * 3
+    takes = [
+        replace(take, name=f"{k}", performer=f"{k}", source=f"{k}") for k, take in enumerate(takes)
+    ]
+    described = replace(
+        small.described,
+        data=Dataset("many", ANGLES, takes, [], [], True),
+        train=[*small.described.train] * 3,
+    )
+    parts = training._left_out(described)
+    assert len(parts) <= 4
+    assert sorted(k for part in parts for k in part) == list(range(18))
+    assert len(training._parts(described)) == len(parts)
+
+
+def test_validation_takes_are_judged_too(small):
+    data, (z, x) = small.described.data, small.described.test[0]
+    described = replace(
+        small.described,
+        data=Dataset("validated", ANGLES, data.train[:1], data.test, []),
+        train=small.described.train[:1],
+        validation=[(z, x)],
+    )
+    (part,) = training._parts(described)
+    assert part.takes == data.test and part.rest == [0]
+
+
+def test_fits_are_calibrated(small, body, camera, monkeypatch):
+    monkeypatch.setattr(training, "_FITS", 8)
+    z, x = small.described.joined("train")
+    prior = PosePrior(25.0 * np.eye(54), 2e4 * np.eye(54))
+    fitter = PoseFitter(BodyFitter(body, camera, prior, iterations=4), z, x, 1, 0.9)
+    confidence = train_confidence(small.described, small.regressor, fitter)
+    assert confidence.fit_calibration is not None
+    (take,) = small.described.data.test
+    model = replace(small.described.model(small.regressor), fitter=fitter, confidence=confidence)
+    poses = model.predict(take.masks[:2], fit=True)
+    assert (poses.confidence > 0.4).all()

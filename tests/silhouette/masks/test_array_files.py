@@ -1,0 +1,31 @@
+import numpy as np
+import pytest
+
+from silpose.core.errors import InputError
+from silpose.silhouette.masks.array_files import read_array_file
+
+
+def test_the_array_of_masks_is_found_by_its_name(tmp_path):
+    masks, others = np.ones((2, 3, 4)), np.zeros(5)
+    np.savez(tmp_path / "a.npz", masks=masks, x=others)
+    np.savez(tmp_path / "b.npz", anything=masks)
+    for name in ("a.npz", "b.npz"):
+        np.testing.assert_array_equal(read_array_file(tmp_path / name), masks)
+    np.savez(tmp_path / "c.npz", x=masks, y=others)
+    with pytest.raises(InputError, match=r"c\.npz' holds the arrays x, y: name the one .* 'masks'"):
+        read_array_file(tmp_path / "c.npz")
+
+
+def test_pickled_objects_are_refused(tmp_path):
+    objects = np.array([np.ones((2, 2)), None], dtype=object)
+    np.save(tmp_path / "a.npy", objects, allow_pickle=True)
+    with pytest.raises(InputError, match="holds pickled objects"):
+        read_array_file(tmp_path / "a.npy")
+
+
+@pytest.mark.parametrize("name", ["a.npy", "a.npz"])
+@pytest.mark.parametrize("content", [b"", b"text", b"PK\x03\x04 junk", b"\x93NUMPY"])
+def test_damaged_files_are_named(tmp_path, name, content):
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(InputError, match=rf"{name}' (is|holds)"):
+        read_array_file(tmp_path / name)

@@ -1,0 +1,78 @@
+import numpy as np
+import pytest
+from PIL import Image
+
+from silpose.core.errors import InputError
+from silpose.silhouette.masks.image_files import read_image_file
+
+
+def images(figures):
+    return [Image.fromarray(255 * mask) for mask in figures]
+
+
+@pytest.mark.parametrize("suffix", [".png", ".jpg", ".webp"])
+@pytest.mark.parametrize("part", [0.3, 0.8])
+def test_a_truncated_file_is_named(tmp_path, figures, suffix, part):
+    file = tmp_path / f"mask{suffix}"
+    images(figures)[0].resize((200, 240)).save(file)
+    whole = file.read_bytes()
+    file.write_bytes(whole[: int(part * len(whole))])
+    with pytest.raises(InputError, match=rf"mask\{suffix}' is (incomplete or damaged|no image)"):
+        read_image_file(file)
+
+
+def test_empty_and_foreign_files_are_named(tmp_path):
+    file = tmp_path / "mask.png"
+    file.write_bytes(b"")
+    with pytest.raises(InputError, match=r"mask\.png' is empty"):
+        read_image_file(file)
+    file.write_text("<html>")
+    with pytest.raises(InputError, match=r"mask\.png' is no image"):
+        read_image_file(file)
+
+
+@pytest.mark.parametrize("suffix", [".png", ".webp"])
+def test_frames_that_were_joined_since_they_are_equal_are_repeated(tmp_path, figures, suffix):
+    file = tmp_path / f"masks{suffix}"
+    first, second, third, *_ = images(figures)
+    frames = [first, first, second, second, second, third]
+    first.save(file, save_all=True, append_images=frames[1:], duration=40, lossless=True)
+    read = read_image_file(file)
+    assert len(read.pictures) == 6
+    assert read.frames_per_second == pytest.approx(25)
+    for picture, frame in zip(read.pictures, frames, strict=True):
+        np.testing.assert_array_equal(picture.pixels, np.asarray(frame))
+
+
+def test_pages_have_no_rate(tmp_path, figures):
+    first, *others = [Image.fromarray(65535 * mask.astype(np.uint16)) for mask in figures]
+    first.save(tmp_path / "masks.tif", save_all=True, append_images=others)
+    read = read_image_file(tmp_path / "masks.tif")
+    assert [picture.pixels.dtype for picture in read.pictures] == [np.uint16] * 6
+    assert read.frames_per_second is None
+    assert read.pictures[2].name == "masks.tif 2"
+
+
+def test_a_palette_keeps_its_indices(tmp_path, figures):
+    labels = Image.fromarray(figures[0]).convert("P")
+    labels.putdata(figures[0].ravel().tolist())
+    labels.putpalette([0, 0, 0, 128, 0, 0])
+    labels.save(tmp_path / "labels.png")
+    (picture,) = read_image_file(tmp_path / "labels.png").pictures
+    np.testing.assert_array_equal(picture.pixels, figures[0])
+    np.testing.assert_array_equal(picture.palette[:2], [[0, 0, 0], [128, 0, 0]])
+
+
+def test_a_palette_with_transparency_has_alpha(tmp_path, figures):
+    cut_out = np.dstack([np.full((*figures[0].shape, 3), 90, np.uint8), 255 * figures[0]])
+    Image.fromarray(cut_out).quantize(8).save(tmp_path / "small.png")
+    (picture,) = read_image_file(tmp_path / "small.png").pictures
+    np.testing.assert_array_equal(picture.alpha, 255 * figures[0])
+
+
+def test_the_picture_for_programs_without_animations_is_left_out(tmp_path, figures):
+    first, *others = images(figures)
+    cover = Image.new("L", first.size, 128)
+    file = tmp_path / "masks.png"
+    cover.save(file, save_all=True, append_images=[first, *others], default_image=True)
+    assert len(read_image_file(file).pictures) == len(figures)

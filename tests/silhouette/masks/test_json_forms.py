@@ -1,0 +1,63 @@
+import pytest
+
+from silpose.core.errors import InputError
+from silpose.silhouette.masks.json_forms import records_of
+
+RUNS = {"size": [2, 2], "counts": [1, 3]}
+
+
+def images_of(content):
+    return [record["image_id"] for record in records_of(content, "it").records]
+
+
+def test_masks_by_frame_and_object_as_trackers_write_them():
+    content = {"0": {"1": RUNS, "2": RUNS}, "1": {}, "10": {"1": RUNS}}
+    held = records_of(content, "it").records
+    assert [(r["image_id"], r.get("track_id")) for r in held] == [
+        (0, "1"),
+        (0, "2"),
+        (1, None),
+        (10, "1"),
+    ]
+    assert images_of({"0": RUNS, "1": RUNS}) == [0, 1]
+
+
+def test_objects_of_a_video():
+    annotations = [{"video_id": 3, "segmentations": [RUNS, None]}] * 2
+    held = records_of({"videos": [], "annotations": annotations}, "it").records
+    assert [(r["image_id"], r["track_id"]) for r in held] == [(0, 1), (1, 1), (0, 2), (1, 2)]
+    with pytest.raises(InputError, match="it holds 2 videos: give a file for each"):
+        records_of([{"video_id": k, "segmentations": [RUNS]} for k in (1, 2)], "it")
+
+
+def test_segments_of_one_image_are_numbered_from_the_largest():
+    segments = [{"segmentation": RUNS, "area": a, "stability_score": 0.9} for a in (5, 90, 20)]
+    held = records_of(segments, "it").records
+    assert {r["image_id"] for r in held} == {0}
+    assert [(r["track_id"], r["area"]) for r in held] == [(1, 90), (2, 20), (3, 5)]
+
+
+def test_masks_without_images_are_frames():
+    assert images_of([{"segmentation": RUNS}, {"segmentation": RUNS}]) == [0, 1]
+    assert images_of([RUNS, None, RUNS]) == [0, 2]
+    assert len(records_of([RUNS, None], "it").images) == 2
+    assert images_of(RUNS) == [0]
+
+
+def test_uncertain_detections_and_other_categories_are_left_out():
+    detections = [
+        {"image_id": 1, "category_id": 1, "score": 0.9, "segmentation": RUNS},
+        {"image_id": 1, "category_id": 1, "score": 0.1, "segmentation": RUNS},
+        {"image_id": 1, "category_id": 3, "score": 0.9, "segmentation": RUNS},
+    ]
+    held = records_of(detections, "it")
+    assert held.records == detections[:1]
+    assert held.doubts == (
+        "it has several categories without names: 1 is taken for the person, as in COCO",
+    )
+
+
+@pytest.mark.parametrize("content", [None, 3, "text", [], {}, {"a": 1}, {"0": 3}, [1], [{"a": 1}]])
+def test_what_holds_no_masks_is_refused(content):
+    with pytest.raises(InputError, match=r"it holds no masks|item 0 of it is no mask"):
+        records_of(content, "it")

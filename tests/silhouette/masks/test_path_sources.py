@@ -1,0 +1,53 @@
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from silpose.core.errors import InputError
+from silpose.silhouette.masks import MaskSource
+from silpose.silhouette.masks.path_sources import find_pictures
+
+
+def find(path):
+    return find_pictures(Path(path), MaskSource())
+
+
+@pytest.mark.parametrize(
+    "name", ["ü é 日", "a b", "[1] (2)", "a=b,c", 'it\'s "x"', "50%03d", "a:b", "${x}", "*?", "-m"]
+)
+def test_any_name_is_a_path(folder_of, figures, name):
+    folder = folder_of({f"{k}.png": 255 * mask for k, mask in enumerate(figures)}, name)
+    assert len(find(folder).animation.pictures) == 6
+    assert find(folder).source == f"'{folder}'"
+
+
+def test_files_of_unknown_suffix_are_tried(tmp_path, figures):
+    encoded = cv2.imencode(".png", 255 * figures[0])[1]
+    (tmp_path / "mask").write_bytes(encoded.tobytes())
+    (tmp_path / "mask.xyz").write_bytes(encoded.tobytes())
+    for name in ("mask", "mask.xyz"):
+        np.testing.assert_array_equal(
+            find(tmp_path / name).animation.pictures[0].pixels, 255 * figures[0]
+        )
+
+
+@pytest.mark.parametrize("name", ["a.pkl", "a.pt"])
+def test_pickles_are_not_opened(tmp_path, name):
+    (tmp_path / name).write_bytes(b"x")
+    with pytest.raises(InputError, match="could run any program"):
+        find(tmp_path / name)
+
+
+def test_a_home_folder_is_found(tmp_path, figures, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("USERPROFILE", str(tmp_path))
+    cv2.imwrite(str(tmp_path / "a.png"), 255 * figures[0])
+    assert len(find("~/a.png").animation.pictures) == 1
+
+
+def test_the_only_take_of_a_folder_is_read(tmp_path, figures):
+    np.save(tmp_path / "take.npy", np.stack(figures))
+    found = find(tmp_path)
+    assert len(found.animation.pictures) == 6
+    assert found.notes == (f"the masks are in '{tmp_path / 'take.npy'}'",)

@@ -1,0 +1,38 @@
+import cv2
+import numpy as np
+import pytest
+
+from silpose.silhouette.person import select_person
+
+
+def crop(mask):
+    left, top, width, height = cv2.boundingRect(mask)
+    return mask[top : top + height, left : left + width]
+
+
+def resized(mask, width, height):
+    return (cv2.resize(255 * mask, (width, height)) > 127).astype(np.uint8)
+
+
+def test_crops_stretched_to_a_square_are_doubted(sequence):
+    masks = [resized(crop(mask), 64, 64) for mask in sequence.masks]
+    with pytest.warns(UserWarning, match=r"in 'walk' from border to border, 64 x 64"):
+        select_person(masks, source="'walk'")
+
+
+def test_frames_squeezed_to_a_square_are_doubted(sequence):
+    masks = [resized(np.pad(mask, ((0, 0), (90, 90))), 96, 96) for mask in sequence.masks]
+    with pytest.warns(UserWarning, match=r"times as high as wide .* squeezed from the sides"):
+        select_person(masks)
+
+
+def test_frames_stretched_to_the_sides_are_doubted(sequence):
+    masks = [resized(mask, 260, 96) for mask in sequence.masks]
+    with pytest.warns(UserWarning, match="stretched to the sides"):
+        select_person(masks)
+
+
+def test_crops_in_proportion_are_not_doubted(sequence, recwarn):
+    select_person([resized(np.pad(crop(mask), 2), 44, 64) for mask in sequence.masks[:1]])
+    select_person([crop(mask) for mask in sequence.masks])
+    assert not recwarn.list
