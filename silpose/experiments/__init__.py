@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from silpose.recording import Result
 
 NAMES = (
-    *("single_image", "predict", "contact_sheet", "lookalikes", "training_data"),
+    *("single_image", "predict", "contact_sheet", "motion_report", "lookalikes", "training_data"),
     *("descriptor_space", "similarity", "descriptor_robustness", "descriptor_choices"),
     *("bridges", "parts", "feature_selection", "regressors"),
     *("tracking", "extinction", "damping", "kernel_widths", "initialisation"),

@@ -51,6 +51,8 @@ class Result:
         nothing is chosen.
     tables : mapping of str to sequence of sequence
         Further tables by the name of their file (``poses.csv``), the row of titles first.
+    report : str
+        Text for the terminal, and for the file ``report.txt``.
 
     See Also
     --------
@@ -65,3 +67,4 @@ class Result:
     model: PoseModel | None = None
     headline: float | None = None
     tables: Mapping[str, Sequence[Sequence[object]]] = field(default_factory=dict)
+    report: str = ""

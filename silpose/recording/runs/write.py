@@ -18,7 +18,7 @@ _DOTS_PER_INCH = 120  # of figures
 def write_result(
     folder: RunFolder, result: Result, seed: int, seconds: Mapping[str, float]
 ) -> None:
-    """Write the figure, the model, the recording and the numbers of a run.
+    """Write the figure, the model, the recording, the report and the numbers of a run.
 
     ``metrics.json`` comes last: a folder that has it holds a finished run.
 
@@ -38,6 +38,9 @@ def write_result(
     for name, table in result.tables.items():
         with folder.writing(name) as path:
             _write_table(path, table)
+    if result.report:
+        with folder.writing("report.txt") as path:
+            path.write_text(result.report + "\n", encoding="utf-8")
     if result.recording is not None and folder.sinks.kinds:
         with stage("recording"):
             result.recording.write(folder.header(result.recording.words, result.metrics, figure))

@@ -9,6 +9,7 @@ from silpose.recording.viewer.screenshots import opened
 VIEWS = {
     "single_image": 11,
     "study": 4,
+    "motion": 5,
     "bridges": 6,
     "features": 4,
     "extinction": 6,
