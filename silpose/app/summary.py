@@ -13,6 +13,8 @@ from silpose.recording import FinishedRun
 def summarise(run: FinishedRun) -> None:
     """Print the results of a run, and the line that opens its recording."""
     console = Console()
+    if run.report:
+        console.print(run.report, markup=False, highlight=False, soft_wrap=True)
     if run.metrics:
         console.print(results(run))
     if run.summary:

@@ -32,6 +32,11 @@ class Verb:
 
 
 EXPERIMENT_VERBS = {
+    "motion": Verb(
+        "what is understood of motion capture, a file or a folder, with a picture",
+        ("experiment=motion_report", "motion=bvh", "motion.formats=[bvh,amc,npz]"),
+        "motion.root",
+    ),
     "predict": Verb(
         "poses for a folder or video of masks",
         ("experiment=predict", "silhouette=masks"),
@@ -67,7 +72,9 @@ def overrides_of(verb: str, arguments: Sequence[str]) -> list[str]:
             f"them, '{Path(path).parent}'"
         )
     short_for = EXPERIMENT_VERBS[verb]
-    return [*short_for.overrides, f"{short_for.source}={quoted(path)}", *rest]
+    typed = {override.partition("=")[0] for override in rest}
+    own = [override for override in short_for.overrides if override.partition("=")[0] not in typed]
+    return [*own, f"{short_for.source}={quoted(path)}", *rest]
 
 
 def usage(verb: str) -> str:

@@ -81,7 +81,10 @@ def _mean_angular(space: PoseSpace, true: Array, estimated: Array, training: Arr
 
 
 def _moving_angular(space: PoseSpace, true: Array, estimated: Array, training: Array) -> float:
-    return space.angle_errors(true, estimated)[:, moving_angles(space, training)].mean()
+    moving = moving_angles(space, training)
+    if not moving.any():  # the training takes hold still
+        return float("nan")
+    return space.angle_errors(true, estimated)[:, moving].mean()
 
 
 def _rms_angular(space: PoseSpace, true: Array, estimated: Array, training: Array) -> float:

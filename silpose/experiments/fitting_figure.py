@@ -174,6 +174,6 @@ def _plot_over_time(
         axes.text(1.01, height, words, color=colour, fontweight="bold", transform=axes.transAxes)
     for frame in frames:
         axes.axvline(seconds[frame], color="black", lw=0.6, ls=":")
-    axes.set(xlim=(0, seconds[-1]), xlabel="seconds", ylabel="angles, degrees")
+    axes.set(xlim=(0, max(seconds[-1], 0.1)), xlabel="seconds", ylabel="angles, degrees")
     axes.set_ylim(0, 1.05 * np.quantile(worse, 0.995))
     axes.spines[["top", "right"]].set_visible(False)

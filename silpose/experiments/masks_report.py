@@ -146,7 +146,7 @@ def _where(flags: np.ndarray, names: Sequence[str]) -> str:
     frames = np.flatnonzero(flags)
     if not len(frames):
         return "none"
-    return f"{len(frames)}: {shortened([names[frame] for frame in frames])}"
+    return f"{len(frames)}: {shortened([names[frame] for frame in frames.tolist()])}"
 
 
 def shortened(words: Sequence[str]) -> str:

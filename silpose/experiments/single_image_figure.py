@@ -77,7 +77,7 @@ def _plot_norms(axes: Axes, space: PoseSpace, true: Array, estimated: Array) -> 
     bad = error > HEADING_LIMIT_DEG
     axes.plot(norm, color=ESTIMATED, lw=1)
     axes.fill_between(range(len(bad)), 0, 1.3, where=bad, color=NEUTRAL, alpha=0.35, lw=0)
-    axes.set(ylim=(0, 1.3), xlim=(0, len(bad) - 1), xlabel="frame", ylabel="heading norm")
+    axes.set(ylim=(0, 1.3), xlim=(0, max(len(bad) - 1, 1)), xlabel="frame", ylabel="heading norm")
     varies = error.std() > 0 and norm.std() > 0
     r = np.corrcoef(norm, error)[0, 1] if varies else np.nan
     axes.set_title(

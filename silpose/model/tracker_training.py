@@ -77,12 +77,12 @@ class TrackerTraining:
         InputError
             If a test take is too short to be tracked.
         """
-        shortest = min((len(x) for _, x in described.test), default=0)
-        if shortest <= GIVEN:
-            raise InputError(
-                f"a test take of {shortest} frames is too short to be tracked: "
-                f"give one of more than {GIVEN}"
-            )
+        for take, (_, x) in zip(described.data.test, described.test, strict=True):
+            if len(x) <= GIVEN:
+                raise InputError(
+                    f"test take '{take.name}' of {len(x)} frames is too short to be tracked: "
+                    f"choose one of more than {GIVEN} by 'dataset.test=[NAME]'"
+                )
         selection = TrackerSelection(
             described.train,
             described.validation,

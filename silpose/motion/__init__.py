@@ -5,7 +5,7 @@
 """
 
 from silpose.motion.bvh_export import save_bvh
-from silpose.motion.capture import MotionFolder
+from silpose.motion.capture import CapturedTake, CaptureReport, MotionFolder
 from silpose.motion.mirror import mirrored
 from silpose.motion.motion import Motion
 from silpose.motion.motion_source import MotionSource
@@ -20,6 +20,8 @@ from silpose.motion.walker import (
 )
 
 __all__ = [
+    "CaptureReport",
+    "CapturedTake",
     "Circle",
     "Motion",
     "MotionFolder",

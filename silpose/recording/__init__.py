@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from silpose.recording.header import Header
     from silpose.recording.hypotheses import record_hypotheses, record_modes
     from silpose.recording.influential_examples import InfluentialExamples
+    from silpose.recording.motion import record_motion
     from silpose.recording.prediction import record_prediction
     from silpose.recording.read import RecordedPoses, read_poses, read_recording
     from silpose.recording.runs import (
@@ -75,6 +76,7 @@ _RECORDERS = {
     "record_fitting": "fitting",
     "record_hypotheses": "hypotheses",
     "record_modes": "hypotheses",
+    "record_motion": "motion",
     "record_prediction": "prediction",
     "record_single_image": "single_image",
     "record_study": "study",
@@ -127,6 +129,7 @@ __all__ = [
     "record_fitting",
     "record_hypotheses",
     "record_modes",
+    "record_motion",
     "record_prediction",
     "record_single_image",
     "record_study",

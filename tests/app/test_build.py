@@ -44,6 +44,15 @@ def test_values_to_choose_from_are_checked_each(values, words):
         build_candidates("regression.rvm", {"nu": values})
 
 
+def test_a_mapping_of_any_keys_goes_through_to_what_checks_it():
+    settings = {"kind": "folder", "root": "x", "joints": {"left_elbow": "LFArm"}}
+    assert build_alternative("motion", settings).joints == {"left_elbow": "LFArm"}
+    with pytest.raises(InputError, match=r"'left_elbo'; did you mean 'left_elbow'"):
+        build_alternative("motion", settings | {"joints": {"left_elbo": ["LFArm"]}})
+    with pytest.raises(InputError, match=r"'motion\.joints' must be a mapping like .* not 3"):
+        build_alternative("motion", settings | {"joints": 3})
+
+
 def test_what_must_be_given_is_asked_for():
     for settings in ({"kind": "folder"}, {"kind": "folder", "root": "???"}):
         with pytest.raises(InputError, match=r"'motion\.root' is not set: add motion\.root=…"):

@@ -31,7 +31,14 @@ def test_every_pair_of_motion_and_silhouette_composes():
 WRONG = {
     "motion.secnds=3": r"no setting 'motion\.secnds'; did you mean 'motion\.seconds'\?",
     "motion=bvh motion.root=x motion.rot=y": r"'motion\.rot'; did you mean 'motion\.root'\?",
-    "motion=bvh motion.seconds=3": r"no setting 'motion\.seconds'; there are formats, ",
+    "motion=bvh motion.seconds=3": r"setting of motion=walker, not of motion=bvh$",
+    "motion=bvh motion.xyz=3": r"no setting 'motion\.xyz'; there are formats, frame_rate, ",
+    "motion.joints={left_elbow:[a]}": r"setting of motion=amass and motion=bvh: add motion=bvh$",
+    "motion=bvh motion.joints=[a]": r"'motion\.joints' cannot be \[a\]: 'silpose settings' shows",
+    "motion=bvh motion.joints={root:[#1]}": r"double quotes .* 'motion\.joints={left_elbow: \[\"#1",
+    "motion=bvh motion.joints={root:[a]": "every bracket",
+    "motion={a:1}": "'motion' takes one name: amass, bvh, walker",
+    "silhouette/scenes.frames=3": r"write silhouette\.scenes\.frames=3",
     "regression=linear regression.ridge.dampin=3": r"did you mean 'regression\.ridge\.damping'\?",
     "experiment=damping vales=[1]": r"no setting 'vales'; did you mean 'values'\?",
     "+motion.frame_per_second=3": r"'motion\.frame_per_second'.*'motion\.frames_per_second'",
@@ -68,4 +75,12 @@ def test_settings_hold_what_no_file_says():
 def test_keys_of_a_mapping_are_free():
     joints = plain(load(["motion=bvh", "motion.joints={left_elbow: [a]}"]))["motion"]["joints"]
     assert joints == {"left_elbow": ["a"]}
-    assert load(["motion=bvh", "motion.joints.left_elbow=[a]"]).motion.joints == joints
+    for spelling in ("motion.joints.left_elbow=[a]", "+motion.joints.left_elbow=[a]"):
+        assert load(["motion=bvh", spelling]).motion.joints == joints
+
+
+def test_usual_names_of_joints_need_no_quotes():
+    usual = "{neck: [Bip01 L Thigh, mixamorig:Hips, DEF-thigh.L.001, a|b, 01]}"
+    settings = plain(load(["motion=bvh", f"motion.joints={usual}"]))
+    names = ["Bip01 L Thigh", "mixamorig:Hips", "DEF-thigh.L.001", "a|b", "01"]
+    assert settings["motion"]["joints"] == {"neck": names}

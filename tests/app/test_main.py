@@ -114,7 +114,7 @@ def test_ones_own_masks_by_a_saved_model(run, finished, mask_folder, tmp_path):
 WRONG = {
     "motion=bvh": "'motion.root' is not set",
     "motion=bvh motion.root=nowhere": "nowhere",
-    "motion=bvh motion.root=empty": "empty: no .bvh files",
+    "motion=bvh motion.root=empty": "empty: no .bvh or .amc files",
     "motion=bvh motion.root=text": "text/a.bvh",
     "dataset=cross_performer": "fitted to all performers",
     "dataset=cross_camera silhouette.scenes.elevation=[0,30]": "meets the training's [0, 30]",

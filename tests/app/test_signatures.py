@@ -11,7 +11,7 @@ def test_a_constructor_is_read_as_python_reads_it():
     assert list(found)[:2] == ["root", "frames_per_second"]
     assert found["root"].default == REQUIRED
     assert found["root"].type.in_words() == "text"  # or a Path, which no setting can be
-    assert found["formats"].default == ["bvh"]  # a list, as in YAML
+    assert found["formats"].default == ["bvh", "amc"]  # a list, as in YAML
     assert found["joints"].type.mapping  # behind a name for its type
     assert found["frames_per_second"].description
 

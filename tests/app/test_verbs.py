@@ -24,6 +24,20 @@ def test_a_path_may_hold_an_equals_sign_if_it_exists(tmp_path, monkeypatch):
         overrides_of("predict", ["model=x"])
 
 
+def test_motion_reads_files_of_all_formats_unless_told_otherwise():
+    settings = plain(load(overrides_of("motion", ["my walks", "motion.formats=[npz]", "shown=3"])))
+    assert settings["experiment"] == "motion_report" and settings["shown"] == 3
+    assert settings["motion"]["root"] == "my walks" and settings["motion"]["formats"] == ["npz"]
+    default = plain(load(overrides_of("motion", ["walk.bvh"])))
+    assert default["motion"]["formats"] == ["bvh", "amc", "npz"]
+
+
+def test_a_choice_of_the_verb_gives_way_to_one_that_is_typed():
+    assert "motion=bvh" not in overrides_of("motion", ["walks", "motion=amass"])
+    settings = plain(load(overrides_of("motion", ["walks", "motion=amass"])))
+    assert settings["motion"]["root"] == "walks"
+
+
 def test_a_verb_without_its_path_shows_how_it_is_typed():
     with pytest.raises(InputError, match=r"'predict' needs a path: silpose predict PATH"):
         overrides_of("predict", [])

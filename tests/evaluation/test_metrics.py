@@ -1,3 +1,5 @@
+import warnings
+
 import numpy as np
 import pytest
 
@@ -37,6 +39,13 @@ def test_angles_that_stand_still_are_left_out_of_the_moving_ones(angles):
     assert measured(angles, off)["moving_angles_error_deg"] == pytest.approx(0)
     off[:, 1] += 5
     assert measured(angles, off)["moving_angles_error_deg"] == pytest.approx(5 / 10)
+
+
+def test_where_nothing_moves_the_error_of_moving_angles_is_unknown_without_a_word(angles):
+    still = np.repeat(angles[:1], 3, axis=0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert np.isnan(measured(still, still)["moving_angles_error_deg"])
 
 
 def test_heading_is_measured_on_the_circle(angles):

@@ -22,7 +22,7 @@ from silpose.fitting import FittingOptions
 
 
 def test_experiments_are_functions_of_their_modules_name():
-    assert len(EXPERIMENTS) == 22
+    assert len(EXPERIMENTS) == 23
     for name, experiment in EXPERIMENTS.items():
         assert experiment.__name__ == name
         assert experiment.__module__ == f"silpose.experiments.{name}"
@@ -54,7 +54,7 @@ class Short:
 
 
 def test_a_take_that_is_too_short_to_be_tracked_is_refused(walkers):
-    with pytest.raises(InputError, match="2 frames is too short to be tracked"):
+    with pytest.raises(InputError, match=r"test take '.+' of 2 frames is too short to be tracked"):
         prepare_tracking(replace(walkers, dataset=Short(walkers.dataset)))
 
 

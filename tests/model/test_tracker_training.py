@@ -114,5 +114,5 @@ def test_the_lag_is_in_frames(training):
 
 
 def test_a_test_take_that_is_too_short_is_refused():
-    with pytest.raises(InputError, match="a test take of 2 frames is too short"):
+    with pytest.raises(InputError, match="of 2 frames is too short"):
         TrackerTraining.of(described(60, GIVEN), REGRESSION, TRACKING)

@@ -23,6 +23,7 @@ from silpose.recording import (
     record_fitting,
     record_hypotheses,
     record_modes,
+    record_motion,
     record_prediction,
     record_study,
     record_tracking,
@@ -98,6 +99,7 @@ def recordings(finished, sequence, modes, states, header, tmp_path_factory):
     masks, frames = sequence.masks, len(sequence)
     errors = {"usual": np.arange(5.0), "narrow": np.arange(5.0)}
     record_study(head("study"), errors, "errors", 15.0)
+    record_motion(head("motion"), sequence.x, np.ones((frames, 3)), 15.0)
     norms = np.array([[1.0, 2.0, 3.0], [0.0, 2.0, 3.0]])
     record_bridges(head("bridges"), norms, np.array([9.0, 8.0]))
     points = [np.argwhere(mask)[:9, ::-1].astype(np.int32) for mask in masks]

@@ -14,6 +14,7 @@ from silpose.recording.layout.studies import (
     bridges_layout,
     context_space_layout,
     features_layout,
+    motion_layout,
     study_layout,
 )
 from silpose.recording.layout.tracks import (
@@ -35,6 +36,7 @@ __all__ = [
     "hide",
     "hypotheses_layout",
     "modes_layout",
+    "motion_layout",
     "prediction_layout",
     "single_image_layout",
     "study_layout",

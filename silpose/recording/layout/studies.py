@@ -8,8 +8,10 @@ import rerun.blueprint as rrb
 
 from silpose.recording import entity_paths
 from silpose.recording.layout.views import (
+    FROM_THE_SIDE,
     bars_view,
     blueprint,
+    bodies_view,
     codebook_view,
     figure_view,
     histogram_view,
@@ -37,6 +39,18 @@ def study_layout(title: str | None, frames_per_second: float, masks: bool = Fals
         below = rrb.Horizontal(mask_view("silhouette"), below, column_shares=[1, 2.4])
     shown = rrb.Vertical(figure_view(), below, row_shares=[1.6, 1])
     return blueprint([shown, texts_view()], [2.4, 1], frames_per_second)
+
+
+def motion_layout(frames_per_second: float) -> rrb.Blueprint:
+    """Lay out a figure, and a take as it moves."""
+    moving = rrb.Horizontal(
+        bodies_view(
+            "pose; left side light, right side dark", [entity_paths.TRUE_SKELETON], FROM_THE_SIDE
+        ),
+        series_view("heading, degrees", [entity_paths.TRUE_HEADING]),
+    )
+    shown = rrb.Vertical(figure_view(), moving, row_shares=[1.6, 1])
+    return blueprint([shown, texts_view()], [1.6, 1], frames_per_second)
 
 
 def bridges_layout() -> rrb.Blueprint:

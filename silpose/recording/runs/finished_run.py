@@ -65,6 +65,12 @@ class FinishedRun:
         return self.folder / "run.rrd"
 
     @property
+    def report(self) -> str:
+        """Text of the run for the terminal; empty where the experiment has none."""
+        file = self.folder / "report.txt"
+        return file.read_text(encoding="utf-8") if file.is_file() else ""
+
+    @property
     def poses(self) -> dict[str, Array]:
         """Pose vectors (F, D) of the take that was recorded, by method, and ``true``."""
         return self._recorded.poses

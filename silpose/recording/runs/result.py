@@ -55,6 +55,8 @@ class Result:
         Path of a model that an earlier run trained, whose settings are written as this run's.
     summary : str
         What the terminal says at the end, in one line; empty where metrics say it.
+    report : str
+        Text for the terminal, and for the file ``report.txt``.
 
     See Also
     --------
@@ -71,3 +73,4 @@ class Result:
     tables: Mapping[str, str] = field(default_factory=dict)
     used_model: str | None = None
     summary: str = ""
+    report: str = ""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from silpose.core.csv_text import csv_text
 from silpose.core.stages import stage
 from silpose.core.types import Row
 from silpose.recording.runs.model_settings import with_model_settings
@@ -20,7 +20,7 @@ _DOTS_PER_INCH = 120  # of figures
 def write_result(
     folder: RunFolder, result: Result, seed: int, seconds: Mapping[str, float]
 ) -> None:
-    """Write the figure, the model, the recording and the numbers of a run.
+    """Write the figure, the model, the recording, the report and the numbers of a run.
 
     ``metrics.json`` comes last: a folder that has it holds a finished run.
 
@@ -43,6 +43,9 @@ def write_result(
     for name, table in result.tables.items():
         with folder.writing(name) as path:
             path.write_text(table, encoding="utf-8", newline="")
+    if result.report:
+        with folder.writing("report.txt") as path:
+            path.write_text(result.report + "\n", encoding="utf-8")
     if result.recording is not None and folder.sinks.kinds:
         with stage("recording"):
             result.recording.write(folder.header(result.recording.words, result.metrics, figure))
@@ -50,7 +53,7 @@ def write_result(
         path.write_text(folder.settings, encoding="utf-8")
     if result.rows:
         with folder.writing("results.csv") as path:
-            _write_table(path, _tidy(result.rows))
+            path.write_text(csv_text(_tidy(result.rows)), encoding="utf-8", newline="")
     content = {
         "experiment": folder.experiment,
         "dataset": result.dataset,
@@ -79,8 +82,3 @@ def _tidy(rows: Sequence[Row]) -> list[list[object]]:
     """Lay rows out as a table whose columns are all names that occur."""
     columns = list(dict.fromkeys(column for row in rows for column in row))
     return [list(columns), *([row.get(column, "") for column in columns] for row in rows)]
-
-
-def _write_table(path: Path, table: Sequence[Sequence[object]]) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        csv.writer(file, lineterminator="\n").writerows(table)

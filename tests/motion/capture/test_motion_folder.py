@@ -4,7 +4,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from silpose.core.errors import InputError
-from silpose.core.skeleton import ANGLES
+from silpose.core.skeleton import ANGLES, rotations_from_angles, standing_height
 from silpose.motion import MotionFolder
 
 
@@ -57,6 +57,67 @@ def test_bad_files_are_left_out_and_named(tmp_path, small_bvh):
     assert "frame time" in refusal(tmp_path, strict=True)
 
 
+def test_what_is_assumed_is_told_once_for_many_files(tmp_path, small_bvh):
+    for name in ("a", "b", "c"):
+        text = small_bvh().text().replace("Frames: 3", "Frames: 4")
+        (tmp_path / f"{name}.bvh").write_text(text)
+    with pytest.warns(UserWarning) as caught:
+        assert len(MotionFolder(tmp_path).takes()) == 3
+    (said,) = [str(w.message) for w in caught if "Frames" in str(w.message)]
+    assert "a.bvh and 2 more files: its 'Frames:' line says 4; 3 frames were read" in said
+
+
+def test_a_single_file(tmp_path, small_bvh, small_amass):
+    small_bvh().write(tmp_path / "ann" / "07_01.bvh")
+    small_amass(tmp_path / "ann" / "walk.npz")
+    (take,) = MotionFolder(tmp_path / "ann" / "07_01.bvh").takes()
+    assert (take.name, take.performer) == ("07_01", "07")
+    (take,) = MotionFolder(tmp_path / "ann" / "walk.npz").takes()
+    assert (take.name, take.performer) == ("walk", "ann")
+
+
+def test_amass_as_it_is_handed_out(tmp_path, small_amass):
+    small_amass(tmp_path / "01" / "01_01_poses.npz")
+    np.savez(tmp_path / "01" / "shape.npz", gender=np.array("male"), betas=np.zeros(16))
+    np.savez(tmp_path / "01" / "neutral_stagei.npz", markers_latent=np.zeros((4, 3)))
+    (take,) = MotionFolder(tmp_path, formats=["npz"], strict=True).takes()
+    assert (take.name, take.performer) == ("01/01_01_poses", "01")
+    small_amass(tmp_path / "01" / "01_02_poses.npz", trans=None)
+    message = refusal(tmp_path, formats=["npz"], strict=True)
+    assert "01_02_poses.npz: has no 'trans', only" in message and "archive" not in message
+
+
+def test_amass_is_resampled_and_on_the_ground(tmp_path, small_amass):
+    trans = np.stack([np.arange(61) / 60, np.zeros(61), np.full(61, 7.0)], axis=1)
+    turns = np.zeros((61, 22, 3))
+    turns[:, 0, 0] = np.pi / 2
+    small_amass(tmp_path / "bob" / "walk.npz", turns, trans, rate=60.0)
+    (take,) = MotionFolder(tmp_path, formats=["npz"]).takes()
+    assert (len(take), take.performer) == (16, "bob")
+    steps = np.diff(take.root_position[:, 0])
+    np.testing.assert_allclose(steps, 1 / 15, atol=1e-9)
+    standing = standing_height(rotations_from_angles(take.angles))
+    np.testing.assert_allclose(take.root_position[:, 1], standing, atol=1e-9)
+
+
+def test_other_names_can_be_given(tmp_path, small_bvh):
+    small_bvh(names={"left_elbow": "Tentacle"}).write(tmp_path / "squid.bvh")
+    assert len(MotionFolder(tmp_path, joints={"left_elbow": ["tentacle"]}).takes()) == 1
+    with pytest.raises(InputError, match=r"motion\.joints.*'?tentacle"):
+        MotionFolder(tmp_path, joints={"tentacle": ["left_elbow"]})
+
+
+def test_only_the_t_pose(tmp_path, small_bvh):
+    small_bvh(frames=({},)).write(tmp_path / "t.bvh")
+    assert "T-pose" in refusal(tmp_path)
+
+
+def test_legs_without_length(tmp_path, small_bvh):
+    legs = {f"{side}_{j}": (0, 0, 0) for side in ("left", "right") for j in ("knee", "ankle")}
+    small_bvh(offsets=legs).write(tmp_path / "ghost.bvh")
+    assert "ghost.bvh" in refusal(tmp_path)
+
+
 def test_a_pose_near_a_singularity_is_reported(tmp_path, small_bvh):
     small_bvh([{"left_hip": (88, 0, 0)}, {}]).write(tmp_path / "aside.bvh")
     with pytest.warns(UserWarning, match="'aside' comes near a singularity.*left_hip in 1 frames"):
@@ -69,7 +130,7 @@ def test_missing_folder(tmp_path):
 
 def test_empty_folder(tmp_path):
     (tmp_path / "notes.txt").write_text("no motion here")
-    assert "no .bvh files" in refusal(tmp_path)
+    assert "no .bvh or .amc files" in refusal(tmp_path)
 
 
 @pytest.mark.parametrize("rate", [0.0, -15.0, float("nan"), float("inf")])

@@ -1,7 +1,9 @@
 import numpy as np
 import pytest
+from walk_files import WalkFile
 
-from silpose.motion.capture.source_motion import SourceMotion
+from silpose.motion.capture.formats import read_raw
+from silpose.motion.capture.source_motion import SourceMotion, source_motion, unit
 
 
 @pytest.fixture
@@ -30,3 +32,34 @@ def test_frames_can_be_cut_out(motion):
     part = motion[1:]
     assert len(part) == 2
     np.testing.assert_array_equal(part.rotations["root"], motion.rotations["root"][1:])
+
+
+def test_a_reflection_leaves_rotations_rotations(walking):
+    motion = walking()
+    reflected = motion.transformed(np.diag([-1.0, 1, 1]))
+    for joint, turned in reflected.rotations.items():
+        np.testing.assert_allclose(np.linalg.det(turned), 1), joint
+    again = reflected.transformed(np.diag([-1.0, 1, 1]))
+    np.testing.assert_allclose(again.rotations["left_knee"], motion.rotations["left_knee"])
+
+
+def test_lengths_are_scaled(walking):
+    motion = walking()
+    assert motion.scaled(100).leg_length() == pytest.approx(100 * motion.leg_length())
+
+
+def test_spine_and_toes_are_found_in_the_tree(tmp_path):
+    walk = WalkFile(unit=1.0)
+    raw = read_raw(walk.write(tmp_path / "a.bvh"))
+    nodes = {walk.name_of(j): j for j in walk.joints() if "/end" not in j}
+    ours = {nodes[name]: n for n, name in enumerate(raw.names) if name in nodes}
+    given = {j: n for j, n in ours.items() if j not in ("spine", "spine1") and "toes" not in j}
+    motion = source_motion(raw, given)
+    np.testing.assert_array_equal(motion.positions["spine"], raw.positions[:, ours["spine"]])
+    toes = motion.direction("left_ankle", "left_toes")
+    assert np.all(np.sum(toes * motion.facing()[:, :, 2], axis=1) > 0)
+    assert "spine" not in motion.rotations and "left_toes" not in motion.rotations
+
+
+def test_a_vector_of_no_length_stays():
+    np.testing.assert_array_equal(unit(np.zeros((2, 3))), np.zeros((2, 3)))

@@ -10,6 +10,7 @@ VIEWS = {
     "single_image": 11,
     "prediction": 10,
     "study": 4,
+    "motion": 5,
     "bridges": 6,
     "features": 4,
     "extinction": 6,

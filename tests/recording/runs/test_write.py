@@ -39,6 +39,7 @@ def result():
         headline=3.5,
         tables={"poses.csv": "frame,x\n0,1.5\n"},
         summary="12 masks",
+        report="what was\nfound",
     )
 
 
@@ -49,8 +50,8 @@ def test_everything_is_written_and_reads_back(tmp_path, result):
             pass
         write_result(folder, result, 3, seconds)
     assert sorted(file.name for file in folder.folder.iterdir()) == [
-        *("config.yaml", "e.png", "metrics.json", "model.npz", "poses.csv", "results.csv"),
-        "run.rrd",
+        *("config.yaml", "e.png", "metrics.json", "model.npz", "poses.csv", "report.txt"),
+        *("results.csv", "run.rrd"),
     ]
     run = load_run(folder.folder)
     assert run.metrics == result.metrics
@@ -58,6 +59,7 @@ def test_everything_is_written_and_reads_back(tmp_path, result):
     assert run.headline == 3.5
     assert run.summary == "12 masks"
     assert run.config == "seed: 3\n"
+    assert run.report == "what was\nfound\n"
     assert list(run.seconds) == ["fit", "recording"]
     rows = list(csv.DictReader((folder.folder / "results.csv").open()))
     assert rows[1] == {"method": "rvm", "damping": "", "nu": "2"}
@@ -83,6 +85,7 @@ def test_what_a_result_lacks_is_not_written(tmp_path):
     assert {file.name for file in folder.folder.iterdir()} == {"config.yaml", "metrics.json"}
     content = json.loads((folder.folder / "metrics.json").read_text())
     assert list(content) == ["experiment", "dataset", "seed", "seconds", "metrics"]
+    assert load_run(folder.folder).report == ""
 
 
 def test_a_run_that_fails_while_it_records_counts_as_unfinished(tmp_path, result):
