@@ -108,10 +108,8 @@ class FitterStream:
         self.covariance = np.full((ANGLES, ANGLES), np.nan)
 
     def skip(self, frames: int) -> None:
-        """Let some frames go by of which nothing is known, not even that they were blank."""
-        for _ in range(frames):
-            if self._expected is not None:
-                self._expected = self._expected.a_frame_later()
+        """Let frames go by of which nothing is known, not even that they were blank."""
+        self._expected = self._expected and self._expected.later(frames)
 
     def step(
         self, mask: Mask, start: ArrayLike | None = None, root: ArrayLike | None = None
@@ -230,8 +228,7 @@ class FitterStream:
         self._state = "recovered" if self._state == "lost" else "tracking"
 
     def _miss(self) -> None:
-        if self._expected is not None:
-            self._expected = self._expected.a_frame_later()
+        self.skip(1)
         if self._state != "starting":
             self._state = "lost"
 

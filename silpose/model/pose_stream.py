@@ -114,7 +114,7 @@ class PoseStream:
         assert self._fitter is not None
         if self._fitting is None:  # the first mask says how large they are
             self._fitting = self._fitter.stream(mask.shape, 1 / self._interval)
-        else:
-            self._fitting.skip(round(passed / self._interval) - 1)
+        elif (missed := round(passed / self._interval) - 1) > 0:
+            self._fitting.skip(missed)
         x, state = self._fitting.step(mask, x)
         return x, state, np.array([self._fitting.iou])
