@@ -37,10 +37,10 @@ def motion_report(components: Components, *, shown: int = 12) -> Result:
         raise InputError("motion_report shows files: give them, 'silpose motion PATH'")
     takes, refused = _read(folder)
     root = Path(folder.root)
-    text = report_in_words(root, {file: take.report for file, take in takes.items()}, refused)
+    reports = {file: take.report for file, take in takes.items()}
+    text = report_in_words(root, reports, refused)
     if not takes:
-        reports = {file: take.report for file, take in takes.items()}
-    return Result(root.name, {}, report=text)
+        return Result(root.name, {}, report=text)
     first, take = next(iter(takes.items()))
     record = partial(
         record_motion,
@@ -53,9 +53,7 @@ def motion_report(components: Components, *, shown: int = 12) -> Result:
         {},
         figure=motion_figure(dict(list(takes.items())[:shown])),
         recording=Recording(f"`{first}`, and what was understood:\n\n```\n{text}\n```", record),
-        tables={
-            "takes.csv": csv_text(report_table({f: t.report for f, t in takes.items()}, refused))
-        },
+        tables={"takes.csv": csv_text(report_table(reports, refused))},
         report=text,
     )
 

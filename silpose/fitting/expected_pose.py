@@ -47,10 +47,10 @@ class ExpectedPose:
             velocity = difference(fitted, before.fitted)
         return cls(fitted, uncertainty, velocity, change)
 
-    def a_frame_later(self) -> ExpectedPose:
-        """Expect the pose one frame later, without a fit in between."""
+    def later(self, frames: int = 1) -> ExpectedPose:
+        """Expect the pose some frames later, without a fit in between."""
         still = np.zeros_like(self.velocity)
-        return ExpectedPose(self.fitted, self.uncertainty, still, self.change, self.age + 1)
+        return ExpectedPose(self.fitted, self.uncertainty, still, self.change, self.age + frames)
 
     @property
     def mean(self) -> Array:

@@ -100,10 +100,8 @@ class FitterStream:
         self._forget()
 
     def skip(self, frames: int) -> None:
-        """Let some frames go by of which nothing is known, not even that they were blank."""
-        for _ in range(frames):
-            if self._expected is not None:
-                self._expected = self._expected.a_frame_later()
+        """Let frames go by of which nothing is known, not even that they were blank."""
+        self._expected = self._expected and self._expected.later(frames)
 
     def step(
         self, mask: Mask, start: ArrayLike | None = None, root: ArrayLike | None = None
@@ -241,8 +239,7 @@ class FitterStream:
         self._state = "recovered" if self._state == "lost" else "tracking"
 
     def _miss(self) -> None:
-        if self._expected is not None:
-            self._expected = self._expected.a_frame_later()
+        self.skip(1)
         if self._state != "starting":
             self._state = "lost"
 

@@ -112,8 +112,8 @@ class PoseStream:
         if self._fitting is None:  # the first mask says how large they are
             tracked = self._model.tracker is not None
             self._fitting = self._fitter.stream(mask.shape, 1 / self._interval, tracked=tracked)
-        else:
-            self._fitting.skip(round(passed / self._interval) - 1)
+        elif (missed := round(passed / self._interval) - 1) > 0:
+            self._fitting.skip(missed)
         fitted, state = self._fitting.step(mask, x)
         confidence, iou = np.array([self._fitting.confidence]), np.array([self._fitting.iou])
         own = fitted[None], self._model.space, confidence, [state]

@@ -25,7 +25,7 @@ def test_a_turn_across_180_degrees_is_a_small_one():
 
 def test_the_longer_ago_the_less_is_expected():
     expected = after(1.0, 1.2)
-    later = expected.a_frame_later().a_frame_later()
+    later = expected.later().later()
     assert later.mean == pytest.approx(1.2)
     assert later.precision[0, 0] < expected.precision[0, 0] / 3
     # A fit after a gap says nothing of a velocity.
