@@ -19,8 +19,8 @@ class Known:
     def __init__(self, value):
         self.value, self.asked = value, []
 
-    def of(self, z, x, facts, iou=None):
-        self.asked.append((z, x, facts, iou))
+    def of(self, z, x, facts):
+        self.asked.append((z, x, facts))
         return np.where(np.isfinite(x).all(axis=1), self.value, 0.0)
 
 
@@ -74,18 +74,21 @@ def test_states_say_what_became_of_each_frame(model, masks):
     assert states["track"] <= {*STATES} and states["stream"] <= {*STATES}
 
 
-def test_confidence_knows_what_was_seen_and_how_well_a_body_fits(model, masks):
+def test_confidence_knows_what_was_seen(model, masks):
     known = Known(0.7)
-    own = replace(model, confidence=known)
-    fitted = own.predict(masks, blank="nan", fit=True)
-    z, x, facts, iou = known.asked[-1]
+    poses = replace(model, confidence=known).predict(masks, blank="nan")
+    z, x, facts = known.asked[-1]
     assert np.isnan(z).all(axis=1).nonzero()[0].tolist() == [4]
-    np.testing.assert_array_equal(x, fitted.x)
-    np.testing.assert_array_equal(iou, fitted.iou)
+    np.testing.assert_array_equal(x, poses.x)
     assert len(facts) == 10
+    assert poses.confidence[4] == 0 and not poses.doubtful.any()
+
+
+def test_confidence_in_fits_is_their_own(model, masks):
+    known = Known(0.2)
+    fitted = replace(model, confidence=known).predict(masks, blank="nan", fit=True)
+    assert not known.asked
     assert fitted.confidence[4] == 0 and not fitted.doubtful.any()
-    own.predict(masks, blank="nan")
-    assert known.asked[-1][3] is None
 
 
 def test_many_doubtful_poses_are_a_warning_that_names_the_source(model, masks, mask_folder):

@@ -10,9 +10,7 @@ from silpose.model import FitterTraining, describe_dataset
 from silpose.model.confidence_training import (
     CASES,
     confidence_examples,
-    is_right,
     show,
-    turned_around,
 )
 from silpose.regression import RidgeRegressor
 
@@ -38,14 +36,6 @@ def test_all_cases_are_shown(sequence, camera, body):
     for own in shown:
         assert {mask.shape for mask in own.masks} == {(96, 96)}
         assert (own.x is None) == (own.case == "foreign")
-
-
-def test_a_pose_is_right_near_the_true_one(sequence):
-    x = sequence.x[:3]
-    bent = ANGLES.from_angles(ANGLES.angles(x) + 90 * (np.arange(54) > 3))
-    assert is_right(x, x).all()
-    assert not is_right(x, turned_around(x)).any()
-    assert not is_right(x, bent).any()
 
 
 def test_examples_are_of_fits_to_takes_that_are_left_out(training):

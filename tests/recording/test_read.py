@@ -15,7 +15,8 @@ def test_poses_come_back_as_they_were(finished):
 
 def test_a_frame_without_an_estimate_is_nan(tmp_path, finished, mask_folder, header):
     details = finished.model.explain(mask_folder, blank="nan")
-    record_prediction(header(tmp_path / "p.rrd"), finished.model, details, 15.0)
+    poses = finished.model.predict(details)
+    record_prediction(header(tmp_path / "p.rrd"), finished.model, details, poses)
     estimated = read_poses(tmp_path / "p.rrd")["estimated"]
     assert np.isnan(estimated).any(axis=1).tolist() == [frame == 5 for frame in range(12)]
     assert estimated[6] == pytest.approx(details.x[6], rel=1e-6)

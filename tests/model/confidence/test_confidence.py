@@ -1,10 +1,8 @@
 import numpy as np
 import pytest
 
-from silpose.core.pose_space import ANGLES
-from silpose.model.confidence import Confidence, right_poses
-from silpose.model.confidence.confidence import UNSEEN, fit_evidence
-from silpose.model.confidence.monotone_logistic import MonotoneLogistic
+from silpose.model.confidence import Confidence
+from silpose.model.confidence.confidence import UNSEEN
 from silpose.model.confidence.odd_frames import facts_of
 
 
@@ -61,35 +59,7 @@ def test_descriptors_alone_can_be_judged(small, judged):
     assert np.isfinite(small.confidence.of(z, x)).all()
 
 
-def test_a_worse_fit_is_less_probable(small, judged):
-    z, x, facts, confidence = judged
-    weights = np.array([[1.0, 2.0]])
-    of_fits = MonotoneLogistic(np.array([[-50.0, np.log(0.05)]]), weights, 52.0)
-    own = Confidence(small.confidence.examples, small.confidence.calibration, of_fits)
-    good, bad, none = (own.of(z, x, facts, np.full(60, iou)) for iou in (0.95, 0.6, np.nan))
-    assert (good > bad).all() and (bad > none).all()
-    unfitted = small.confidence.of(z, x, facts, np.full(60, 0.6))
-    np.testing.assert_array_equal(unfitted, confidence)
-
-
-def test_evidence_of_fits_is_larger_for_stranger_ones():
-    evidence = fit_evidence(np.array([3.0, 1.0]), np.array([0.95, 0.5]))
-    assert (evidence[1] > evidence[0]).all()
-
-
 def test_restored_from_arrays(small, judged):
     z, x, facts, confidence = judged
     other = Confidence.from_arrays(small.confidence.to_arrays())
     np.testing.assert_array_equal(other.of(z, x, facts), confidence)
-    assert other.fit_calibration is None
-
-
-def test_right_is_within_45_degrees_and_120_mm(sequence):
-    angles = ANGLES.angles(sequence.x)
-    angles[:, 0] += np.linspace(0, 80, 40)
-    right = right_poses(ANGLES, sequence.x, ANGLES.from_angles(angles))
-    assert right[0] and not right[-1]
-    assert right[:10].all() and not right[23:].any()
-    bent = sequence.x.copy()
-    bent[:, 2:] += 60
-    assert not right_poses(ANGLES, sequence.x, bent).any()

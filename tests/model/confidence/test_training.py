@@ -5,9 +5,9 @@ import pytest
 
 from silpose.core.pose_space import ANGLES
 from silpose.dataset import Dataset
-from silpose.fitting import BodyFitter, PosePrior
-from silpose.model import DescribedDataset, PoseFitter, load
-from silpose.model.confidence import right_poses, train_confidence, training
+from silpose.evaluation import right_poses
+from silpose.model import DescribedDataset, load
+from silpose.model.confidence import train_confidence, training
 from silpose.model.confidence.odd_frames import frames_of_masks
 
 
@@ -90,16 +90,3 @@ def test_validation_takes_are_judged_too(small):
     )
     (part,) = training._parts(described)
     assert part.takes == data.test and part.rest == [0]
-
-
-def test_fits_are_calibrated(small, body, camera, monkeypatch):
-    monkeypatch.setattr(training, "_FITS", 8)
-    z, x = small.described.joined("train")
-    prior = PosePrior(25.0 * np.eye(54), 2e4 * np.eye(54))
-    fitter = PoseFitter(BodyFitter(body, camera, prior, iterations=4), z, x, 1, 0.9)
-    confidence = train_confidence(small.described, small.regressor, fitter)
-    assert confidence.fit_calibration is not None
-    (take,) = small.described.data.test
-    model = replace(small.described.model(small.regressor), fitter=fitter, confidence=confidence)
-    poses = model.predict(take.masks[:2], fit=True)
-    assert (poses.confidence > 0.4).all()
