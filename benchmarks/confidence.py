@@ -1,4 +1,4 @@
-"""Learn how sure a fit may be, and how well that holds: python benchmarks/confidence.py [FOLDER].
+"""Learn how sure a fit may be, and how well that holds: python benchmarks/confidence.py [FOLDER] [--fast].
 
 From the walkers and, where FOLDER holds captured motion as BVH, from that: takes are left out,
 damaged, and mixed with what is no person. `Confidence`'s defaults were learned in this way, from
@@ -9,6 +9,7 @@ import sys
 from itertools import pairwise
 
 import numpy as np
+from timing import FAST
 
 from silpose.app.compose import build_components
 from silpose.app.config import load
@@ -16,7 +17,7 @@ from silpose.experiments.setup import prepare, prepare_fitting
 from silpose.fitting import EVIDENCE, Confidence
 from silpose.model.confidence_training import confidence_examples
 
-COUNT = 120  # pieces of takes, of six frames each
+COUNT = 6 if FAST else 120  # pieces of takes, of six frames each
 BINS = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)
 
 
@@ -39,9 +40,9 @@ def table(confidence: Confidence, evidence: np.ndarray, right: np.ndarray) -> No
 
 if __name__ == "__main__":
     rng = np.random.default_rng(0)
-    data = {"walkers": examples(["motion.seconds=12"], rng)}
-    if len(sys.argv) > 1:
-        captured = ["motion=bvh", f"motion.root={sys.argv[1]}", "dataset=cross_performer"]
+    data = {"walkers": examples([f"motion.seconds={4 if FAST else 12}"], rng)}
+    for folder in [argument for argument in sys.argv[1:] if argument != "--fast"][:1]:
+        captured = ["motion=bvh", f"motion.root={folder}", "dataset=cross_performer"]
         data["captured"] = examples([*captured, "silhouette.scenes.frames=4000"], rng)
     joined = [np.concatenate(part) for part in zip(*data.values(), strict=True)]
     learned = Confidence((0.0,) * (1 + len(EVIDENCE))).learned_from(*joined)
