@@ -15,7 +15,7 @@ from silpose.app.compose import build_components
 from silpose.app.config import load
 from silpose.experiments.setup import prepare, prepare_fitting
 from silpose.fitting import EVIDENCE, Confidence
-from silpose.model.confidence_training import confidence_examples
+from silpose.model.fit_confidence_examples import confidence_examples
 
 COUNT = 6 if FAST else 120  # pieces of takes, of six frames each
 BINS = (0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0)

@@ -7,7 +7,7 @@ from silpose.dataset import Dataset, render_take
 from silpose.descriptor import ShapeContextHistogram
 from silpose.fitting import EVIDENCE, FittingOptions
 from silpose.model import FitterTraining, describe_dataset
-from silpose.model.confidence_training import (
+from silpose.model.fit_confidence_examples import (
     CASES,
     confidence_examples,
     show,
