@@ -1,4 +1,4 @@
-"""Learn how sure a fit may be, and how well that holds: python benchmarks/confidence.py [FOLDER] [--fast].
+"""Learn how sure a fit may be, and how well that holds: benchmarks/confidence.py [FOLDER] [--fast].
 
 From the walkers and, where FOLDER holds captured motion as BVH, from that: takes are left out,
 damaged, and mixed with what is no person. `Confidence`'s defaults were learned in this way, from
