@@ -1,0 +1,97 @@
+"""The background that is chosen, learnt from its source."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from silpose.core.errors import InputError
+from silpose.core.types import Mask
+from silpose.silhouette.video.backgrounds import (
+    KINDS,
+    AdaptiveBackground,
+    Background,
+    FixedBackground,
+    Shadows,
+)
+from silpose.silhouette.video.folder_frames import read_picture
+from silpose.silhouette.video.frame import Picture
+from silpose.silhouette.video.median import median_picture
+from silpose.silhouette.video.open_source import Frames
+
+_FEWEST = 3  # frames of which a median is something else than one of them
+_GREY = 6  # levels by which the colours of a grey picture differ at most, compressed
+_SQUARE = 0.02  # by which the proportions of two pictures of one camera may differ
+
+
+def learn_background(
+    kind: str, frames: Frames, samples: int, history: int, threshold: float, shadows: Shadows | None
+) -> Background:
+    """Learn a background from a source, or read it.
+
+    Parameters
+    ----------
+    kind : str
+        One of `KINDS`, or the path of a picture of the empty scene.
+    frames : Frames
+    samples : int
+        Frames from which it is learnt beforehand, unless the source is live.
+    history : int
+        Frames over which an adaptive one learns and forgets.
+    threshold : float
+        Grey levels by which the foreground differs at least.
+    shadows : Shadows or None
+        None counts shadows as foreground.
+
+    Raises
+    ------
+    InputError
+        If there are too few frames for a median, or the picture is none of the same camera.
+
+    Warns
+    -----
+    UserWarning
+        If the pictures are grey, so that there is no shadow rule.
+    """
+    if kind in KINDS and kind != "median":
+        first = [] if frames.is_live else _sample(frames, samples)
+        return AdaptiveBackground(kind, threshold, shadows, history, first)
+    noise: Mask | None = None
+    if kind == "median":
+        pictures = _sample(frames, samples)
+        if len(pictures) < _FEWEST:
+            raise InputError(
+                f"{frames.name} has fewer than {_FEWEST} frames, too few for a median: give a "
+                "picture of the empty scene as background='FILE'"
+            )
+        picture, noise = median_picture(pictures)
+    else:
+        picture = _empty_scene(Path(kind), frames)
+    if shadows is not None and np.ptp(picture, axis=-1).max() <= _GREY:
+        shadows = None  # all that is darker would be a shadow
+        warnings.warn(
+            f"the background of {frames.name} is grey, so shadows are not told from the person "
+            "by their colour, and are not left out",
+            stacklevel=4,
+        )
+    return FixedBackground(picture, threshold, shadows, noise)
+
+
+def _sample(frames: Frames, samples: int) -> list[Picture]:
+    pictures = [frame.picture for frame in frames.sample(samples)]
+    return [picture for picture in pictures if picture.shape == pictures[0].shape]
+
+
+def _empty_scene(file: Path, frames: Frames) -> Picture:
+    """Read the picture of the empty scene, in the size of the source's."""
+    height, width = frames.size
+    picture = read_picture(file, max(height, width))
+    if abs(np.log(picture.shape[1] / picture.shape[0] * height / width)) > _SQUARE:
+        raise InputError(
+            f"the background '{file}' is {picture.shape[1]}x{picture.shape[0]} and pictures of "
+            f"{frames.name} are {width}x{height}: give a picture of the same camera"
+        )
+    return np.asarray(cv2.resize(picture, (width, height), interpolation=cv2.INTER_AREA), np.uint8)

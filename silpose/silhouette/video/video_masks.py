@@ -1,0 +1,193 @@
+"""`VideoMasks`: masks of a person, from a film, a folder of pictures, a camera or a stream."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+from silpose.core.errors import InputError
+from silpose.silhouette.masks import MaskSequence
+from silpose.silhouette.person import check_person
+from silpose.silhouette.video.backgrounds import Background, Shadows
+from silpose.silhouette.video.camera_motion import CameraMotion
+from silpose.silhouette.video.checks import check_background, check_numbers
+from silpose.silhouette.video.followed_person import FollowedPerson
+from silpose.silhouette.video.learnt_background import learn_background
+from silpose.silhouette.video.masked_frame import MaskedFrame
+from silpose.silhouette.video.open_source import open_source
+from silpose.silhouette.video.segmenter import Segmenter
+from silpose.silhouette.video.threaded import Threaded
+from silpose.silhouette.video.whole_clip import mask_sequence
+
+
+class VideoMasks:
+    """Masks of one person in front of a camera that stands still, by subtracting the background.
+
+    Parameters
+    ----------
+    source : path, int or str
+        A video, a folder of pictures, the index of a camera (also as text), or the address of a
+        stream, such as ``rtsp://…``.
+    background : str, default="median"
+        What the scene is without the person: median of a sample of the clip, mog2 or knn (learnt
+        and adapted as by OpenCV; for a camera, too), or the path of a picture of the empty scene.
+    samples : int, default=40
+        Frames of a clip, evenly over it, from which the background is learnt beforehand.
+    history : int, default=500
+        Frames over which mog2 and knn learn and forget.
+    threshold : float, default=20
+        Grey levels by which a pixel of the person differs from the background, at least; noise
+        above that is measured, and raises it.
+    shadows : bool, default=True
+        Whether shadows are told from the person by brightness and colour, and left out.
+    shadow_darkest : float, default=0.6
+        Brightness of the darkest shadow, as a share of the background's.
+    shadow_chroma : float, default=0.04
+        How far from the background's colour a shadow may be, as a share of its brightness.
+    opening : float, default=0.004
+        Width of specks and threads that are removed, as a share of the picture's longer side.
+    closing : float, default=0.008
+        Width of gaps that are bridged, as a share of the picture's longer side.
+    smallest : float, default=0.001
+        Share of the picture that a piece of the person covers, at least.
+    hole : float, default=0.004
+        Share of the foreground up to which a hole is filled.
+    person : str or None, default=None
+        Who it is if there are several: largest, left, right, tracked, or a number from the left;
+        null follows the largest of the first frame.
+    longest_side : int, default=960
+        Pixels of the longer side, to which larger pictures are scaled down.
+    camera_shift : float, default=0.004
+        Shift of the whole picture from which the camera counts as moved, as a share of its longer
+        side.
+    frames_per_second : float or None, default=None
+        Frames per second, if not those that the source tells.
+    first : int, default=0
+        Frame with which to begin; the background is learnt from the whole clip.
+    last : int or None, default=None
+        Last frame; null goes on to the end.
+    real_time : bool, default=False
+        Whether a film plays at its own rate, dropping frames rather than falling behind, as a
+        camera does.
+
+    Raises
+    ------
+    InputError
+        If there is no such source, it gives no pictures, or a parameter has no meaning.
+
+    Notes
+    -----
+    Iterating decodes in a thread and segments frame by frame; no more than a few frames, and the
+    sample for the background, are in memory. Once begun, a camera cannot be iterated over again.
+    """
+
+    def __init__(
+        self,
+        source: str | os.PathLike[str] | int,
+        background: str = "median",
+        samples: int = 40,
+        history: int = 500,
+        threshold: float = 20,
+        shadows: bool = True,
+        shadow_darkest: float = 0.6,
+        shadow_chroma: float = 0.04,
+        opening: float = 0.004,
+        closing: float = 0.008,
+        smallest: float = 0.001,
+        hole: float = 0.004,
+        person: str | int | None = None,
+        longest_side: int = 960,
+        camera_shift: float = 0.004,
+        frames_per_second: float | None = None,
+        first: int = 0,
+        last: int | None = None,
+        real_time: bool = False,
+    ) -> None:
+        self.background = background
+        self.samples, self.history = samples, history
+        self.threshold = threshold
+        self.shadows = shadows
+        self.shadow_darkest, self.shadow_chroma = shadow_darkest, shadow_chroma
+        self.opening, self.closing = opening, closing
+        self.smallest, self.hole = smallest, hole
+        self.person = check_person(person)
+        self.longest_side = longest_side
+        self.camera_shift = camera_shift
+        self.first, self.last = first, last
+        self.real_time = real_time
+        check_numbers(self, frames_per_second)
+        check_background(background)
+        self.frames = open_source(source, longest_side, frames_per_second)
+        if self.frames.is_live and background == "median":
+            self.frames.close()
+            raise InputError(
+                f"{self.frames.name} has no whole clip to take a median of: give "
+                "background='mog2' or 'knn', or the path of a picture of the empty scene"
+            )
+        self.dropped = 0
+
+    @property
+    def frames_per_second(self) -> float | None:
+        """Frames per second that the source tells, or was given; None if neither."""
+        return self.frames.frames_per_second
+
+    def __iter__(self) -> Iterator[MaskedFrame]:
+        """Decode and segment frame by frame."""
+        segmenter = self._segmenter()
+        live = self.frames.is_live or self.real_time
+        decoded = Threaded(self.frames, drop=live, real_time=self.real_time)
+        seen = False
+        for frame in decoded:
+            self.dropped = decoded.dropped
+            if self.last is not None and frame.index > self.last:
+                break
+            if frame.index >= self.first:
+                seen = True
+                yield segmenter.step(frame)
+        if not seen:
+            raise InputError(
+                f"there is no frame {self.first} in {self.frames.name}: give an earlier one as "
+                "first"
+            )
+
+    def masks(self) -> MaskSequence:
+        """Segment a whole clip.
+
+        Returns
+        -------
+        sequence : MaskSequence
+            As `silpose.silhouette.read_masks` returns, to be given to `PoseModel.predict` with
+            ``blank="nan"``; at an even rate, whatever the clip's own is.
+
+        Raises
+        ------
+        InputError
+            If the source is a camera or a stream, which does not end.
+        """
+        if self.frames.is_live:
+            raise InputError(
+                f"{self.frames.name} does not end: go through its frames with a for loop, and "
+                "give each mask to model.stream(…).step"
+            )
+        return mask_sequence(self, self.frames.name, self.frames_per_second)
+
+    def _segmenter(self) -> Segmenter:
+        adapts = self.background in ("mog2", "knn")
+        unlearnt = adapts and self.frames.is_live
+        return Segmenter(
+            self._background(),
+            CameraMotion(self.camera_shift, renew=20 if adapts else None),
+            FollowedPerson(self.person),
+            opening=self.opening,
+            closing=self.closing,
+            smallest=self.smallest,
+            hole=self.hole,
+            learning=min(30, self.history) if unlearnt else 0,
+            source=self.frames.name,
+        )
+
+    def _background(self) -> Background:
+        shadows = Shadows(self.shadow_darkest, self.shadow_chroma) if self.shadows else None
+        return learn_background(
+            self.background, self.frames, self.samples, self.history, self.threshold, shadows
+        )
