@@ -1,4 +1,4 @@
-"""How good estimated poses are: metrics, baselines, recovery after failures.
+"""How good estimated poses are: metrics, baselines, recovery after failures; and their gait.
 
 Takes true and estimated poses and gives numbers and rows for ``metrics.json`` and
 ``results.csv``.
@@ -14,6 +14,7 @@ from silpose.evaluation.density_baselines import (
     neighbour_modes,
 )
 from silpose.evaluation.error_breakdown import TWIST_ANGLES, error_rows, twist_errors
+from silpose.evaluation.gait import GaitReport, Walk, gait_report
 from silpose.evaluation.heading import (
     HEADING_LIMIT_DEG,
     heading_confidence,
@@ -44,8 +45,10 @@ __all__ = [
     "DensityBaseline",
     "FailureSequence",
     "FailureTrial",
+    "GaitReport",
     "GaussianMixtureRegression",
     "SingleGaussian",
+    "Walk",
     "angles_covered",
     "baselines",
     "blank_trials",
@@ -55,6 +58,7 @@ __all__ = [
     "depth_mirrored",
     "differences",
     "error_rows",
+    "gait_report",
     "heading_confidence",
     "heading_errors",
     "headlines",

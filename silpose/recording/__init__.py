@@ -17,6 +17,7 @@ from silpose.core.lazy_exports import lazy_exports
 if TYPE_CHECKING:
     from silpose.recording.codebook import codebook_picture
     from silpose.recording.fitting import record_fitting
+    from silpose.recording.gait_report import gait_page, gait_rows, write_gait
     from silpose.recording.ground_truth import GroundTruth
     from silpose.recording.header import Header
     from silpose.recording.hypotheses import record_hypotheses, record_modes
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
 
 _EXPORTS = {
     "codebook": ("codebook_picture",),
+    "gait_report": ("gait_page", "gait_rows", "write_gait"),
     "ground_truth": ("GroundTruth",),
     "header": ("Header",),
     "influential_examples": ("InfluentialExamples",),
@@ -116,6 +118,8 @@ __all__ = [
     "codebook_picture",
     "compare",
     "film",
+    "gait_page",
+    "gait_rows",
     "load_poses",
     "load_run",
     "open_recording",
@@ -138,5 +142,6 @@ __all__ = [
     "runs_table",
     "serve",
     "show",
+    "write_gait",
     "write_result",
 ]
