@@ -75,5 +75,5 @@ def test_what_cannot_be_is_refused(film, monkeypatch):
         assert {frame.state for frame in video} >= {"learning"}
     monkeypatch.setattr(video.frames, "is_live", True)
     monkeypatch.setattr("silpose.silhouette.video.video_masks.open_source", lambda *_: video.frames)
-    with pytest.raises(InputError, match=r"no whole clip.*silhouette\.video\.background=mog2"):
+    with pytest.raises(InputError, match=r"no whole clip.*background='mog2'"):
         VideoMasks(0)
