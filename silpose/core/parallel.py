@@ -98,14 +98,15 @@ def thread_map(
     function : callable
     count : int
     n_jobs : int or None, default=None
-        Number of threads; None is one per processor.
+        Number of threads; None or -1 is one per processor.
 
     Returns
     -------
     outcomes : list
         In order.
     """
-    threads = min(n_jobs or cpu_count() or 1, count, _most_threads)
+    wanted = None if n_jobs == -1 else n_jobs
+    threads = min(wanted or cpu_count() or 1, count, _most_threads)
     if threads <= 1:
         return [function(index) for index in range(count)]
     blocks = np.array_split(np.arange(count), min(8 * threads, count))

@@ -11,6 +11,8 @@ from sklearn.base import BaseEstimator
 State = dict[str, Any]
 """Arrays, numbers and strings by name; an ``.npz`` holds no None, so neither does this."""
 
+_NOT_PLAIN = (BaseEstimator, np.random.RandomState, np.random.Generator)
+
 Estimator = TypeVar("Estimator", bound=BaseEstimator)
 
 
@@ -26,12 +28,12 @@ def arrays_of(estimator: BaseEstimator, fitted: Sequence[str]) -> State:
     Returns
     -------
     state : dict
-        Without parameters that are None or estimators themselves.
+        Without parameters that are None, estimators themselves, or generators of random numbers.
     """
     parameters = {
         name: value
         for name, value in estimator.get_params(deep=False).items()
-        if value is not None and not isinstance(value, BaseEstimator)
+        if value is not None and not isinstance(value, _NOT_PLAIN)
     }
     return parameters | {name: getattr(estimator, name) for name in fitted}
 

@@ -9,8 +9,9 @@ from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.decomposition import PCA
 from sklearn.utils.validation import check_is_fitted
 
+from silpose.core.random_states import RandomState, seed_of
 from silpose.core.types import Array, Array32
-from silpose.descriptor.boundary import Masks, as_mask
+from silpose.descriptor.boundary import Masks, as_mask, stack_of
 
 _TINY = 1e-30  # keeps the logarithm of a vanishing moment finite
 
@@ -63,7 +64,7 @@ class AlignedMask(TransformerMixin, BaseEstimator):
         Height and width of the aligned mask, pixels.
     components : int, default=100
         Number of components, if there are as many masks.
-    random_state : int or None, default=0
+    random_state : int, RandomState, Generator or None, default=0
 
     Attributes
     ----------
@@ -71,7 +72,7 @@ class AlignedMask(TransformerMixin, BaseEstimator):
     """
 
     def __init__(
-        self, *, size: int = 48, components: int = 100, random_state: int | None = 0
+        self, *, size: int = 48, components: int = 100, random_state: RandomState = 0
     ) -> None:
         self.size = size
         self.components = components
@@ -92,7 +93,7 @@ class AlignedMask(TransformerMixin, BaseEstimator):
         """
         aligned = self._aligned(masks)
         count = min(self.components, len(aligned))
-        self.pca_ = PCA(count, svd_solver="randomized", random_state=self.random_state)
+        self.pca_ = PCA(count, svd_solver="randomized", random_state=seed_of(self.random_state))
         self.pca_.fit(aligned)
         return self
 
@@ -102,7 +103,7 @@ class AlignedMask(TransformerMixin, BaseEstimator):
         return np.asarray(self.pca_.transform(self._aligned(masks)), dtype=float)
 
     def _aligned(self, masks: Masks) -> Array32:
-        return np.stack([self._align(as_mask(mask, k)) for k, mask in enumerate(masks)])
+        return np.stack([self._align(as_mask(mask, k)) for k, mask in enumerate(stack_of(masks))])
 
     def _align(self, mask: NDArray[np.uint8]) -> Array32:
         _, top, _, height = cv2.boundingRect(mask)
@@ -120,7 +121,7 @@ def _log_moments(masks: Masks) -> Array:
     moments = np.stack(
         [
             cv2.HuMoments(cv2.moments(as_mask(mask, k), binaryImage=True)).ravel()
-            for k, mask in enumerate(masks)
+            for k, mask in enumerate(stack_of(masks))
         ]
     )
     return np.sign(moments) * np.log10(np.abs(moments) + _TINY)

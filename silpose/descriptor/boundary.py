@@ -51,12 +51,26 @@ def as_mask(mask: ArrayLike, index: int) -> NDArray[np.uint8]:
     return mask
 
 
-def check_stack(masks: Masks) -> None:
-    """Refuse an array that is no stack of masks, and no masks at all."""
+def stack_of(masks: Masks) -> Masks:
+    """Return masks that are counted from 0, whatever they were held in.
+
+    A pandas Series is taken in its order, not by its labels; of an array of objects, each is a
+    mask.
+
+    Raises
+    ------
+    InputError
+        If it is an array that is no stack of masks, or there are none.
+    """
+    if hasattr(masks, "iloc"):
+        masks = list(masks)
+    if isinstance(masks, np.ndarray) and masks.dtype == object and masks.ndim == 1:
+        masks = list(masks)
     if isinstance(masks, np.ndarray) and masks.ndim != 3:
         raise InputError(f"masks have shape {masks.shape}: expected (n, height, width)")
     if not len(masks):
         raise InputError("there are no masks: give at least one")
+    return masks
 
 
 def boundary_pixels(mask: NDArray[np.uint8], closing: float = 0.0) -> tuple[Pixels, Pixels]:

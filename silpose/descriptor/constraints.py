@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from silpose.core.parameters import (
+    NUMBER_OF_JOBS,
     POSITIVE,
     POSITIVE_INTEGER,
     PROBABILITY,
+    SEED,
     Constraint,
     Constraints,
     one_of,
@@ -17,24 +17,23 @@ from silpose.descriptor.description import BOUNDARIES
 
 NORMALISATIONS = ("sum", "mean", "none")
 
-_FINITE = Constraint("positive", lambda value: POSITIVE.holds(value) and value < np.inf)
-
 CONSTRAINTS: Constraints = {
     "boundary": one_of(*BOUNDARIES),
     "edge_points": POSITIVE_INTEGER.or_none(),
-    "spacing": _FINITE.or_none(),
+    "spacing": POSITIVE.or_none(),
     "closing": PROBABILITY,
     "angular_bins": POSITIVE_INTEGER,
     "radial_bins": POSITIVE_INTEGER,
-    "radius": _FINITE,
+    "radius": POSITIVE,
     "inner_radius": Constraint(
         "between 0 and 1", lambda value: POSITIVE.holds(value) and value < 1
     ),
     "codebook_size": POSITIVE_INTEGER,
     "codebook_method": one_of(*METHODS),
     "voters": POSITIVE_INTEGER.or_none(),
-    "vote_width": _FINITE,
+    "vote_width": POSITIVE,
     "normalisation": one_of(*NORMALISATIONS),
     "max_contexts": POSITIVE_INTEGER,
-    "n_jobs": POSITIVE_INTEGER.or_none(),
+    "n_jobs": NUMBER_OF_JOBS,
+    "random_state": SEED,
 }

@@ -9,9 +9,10 @@ from sklearn.utils.validation import check_is_fitted
 
 from silpose.core.parallel import thread_map
 from silpose.core.parameters import check_parameters
+from silpose.core.random_states import RandomState, seed_of
 from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array, Array32
-from silpose.descriptor.boundary import Masks, as_mask, check_stack
+from silpose.descriptor.boundary import Masks, as_mask, stack_of
 from silpose.descriptor.codebook import learn_codebook, typical_distance
 from silpose.descriptor.constraints import CONSTRAINTS
 from silpose.descriptor.description import Description, EdgeContexts
@@ -64,10 +65,11 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         Whether a histogram sums to 1, has mean 1, or counts edge points.
     max_contexts : int, default=50_000
         Largest number of contexts, drawn evenly from all masks, that centres are chosen from.
-    random_state : int or None, default=0
+    random_state : int, RandomState, Generator or None, default=0
         Seed of the contexts that are drawn, and of the codebook.
     n_jobs : int or None, default=None
-        Number of threads, which does not change the result; None is one per processor.
+        Number of threads, which does not change the result; None or -1 is one per
+        processor.
 
     Attributes
     ----------
@@ -110,7 +112,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
         vote_width: float = 0.7,
         normalisation: str = "sum",
         max_contexts: int = 50_000,
-        random_state: int | None = 0,
+        random_state: RandomState = 0,
         n_jobs: int | None = None,
     ) -> None:
         self.boundary = boundary
@@ -150,11 +152,12 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
             If a parameter or a mask cannot be used, or there are fewer contexts than centres.
         """
         check_parameters(self)
-        check_stack(masks)
+        masks = stack_of(masks)
         extractor = EdgeContexts.of(self)
         # The same number of contexts from every mask, at random points.
         share = max(1, self.max_contexts // len(masks))
-        seeds = np.random.SeedSequence(self.random_state).spawn(len(masks))
+        seed = seed_of(self.random_state)
+        seeds = np.random.SeedSequence(seed).spawn(len(masks))
 
         def some_contexts(index: int) -> Array32:
             edge = extractor.edge(as_mask(masks[index], index))
@@ -163,9 +166,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
             return extractor.contexts(edge, edge.chosen[some], extractor.rings(edge))
 
         contexts = np.concatenate(thread_map(some_contexts, len(masks), self.n_jobs))
-        self.codebook_ = learn_codebook(
-            contexts, self.codebook_size, self.codebook_method, self.random_state
-        )
+        self.codebook_ = learn_codebook(contexts, self.codebook_size, self.codebook_method, seed)
         self.vote_width_ = self.vote_width * typical_distance(contexts, self.codebook_)
         return self
 
@@ -199,7 +200,7 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
             If a mask cannot be used; it is named by its index.
         """
         check_is_fitted(self)
-        check_stack(masks)
+        masks = stack_of(masks)
         extractor = EdgeContexts.of(self)
         transposed = np.ascontiguousarray(self.codebook_.T)
         norms = np.einsum("kb,kb->k", self.codebook_, self.codebook_)

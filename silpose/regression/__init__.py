@@ -6,7 +6,7 @@ trackers and evaluation.
 >>> import numpy as np
 >>> z = np.random.default_rng(0).random((60, 5))
 >>> x = np.stack([z[:, 0] * z[:, 1], np.sin(z[:, 2])], axis=1)
->>> rvm = RelevanceVectorRegressor(Basis(hellinger=False), nu=0.5).fit(z, x)
+>>> rvm = RelevanceVectorRegressor(Basis(width=1.0, hellinger=False), nu=0.5).fit(z, x)
 >>> estimated, std = rvm.predict(z, return_std=True)
 >>> print(estimated.shape, std.shape, f"{rvm.kept_:.0%} of the examples kept")
 (60, 2) (60, 2) 15% of the examples kept

@@ -5,31 +5,37 @@ Section III-C of the paper.
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import softmax
 from sklearn.base import BaseEstimator, TransformerMixin, clone
-from sklearn.metrics import pairwise
 from sklearn.utils import Tags
-from sklearn.utils.validation import check_is_fitted, validate_data
+from sklearn.utils.validation import _check_feature_names_in, check_is_fitted, validate_data
 
 from silpose.core.errors import InputError
 from silpose.core.parameters import (
+    FLAG,
     POSITIVE,
     POSITIVE_INTEGER,
+    SEED,
     Constraints,
     check_parameters,
     one_of,
 )
+from silpose.core.random_states import RandomState, generator_of
 from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array, Indices
 from silpose.regression.hellinger import square_roots
+from silpose.regression.kernels import (
+    KERNELS,
+    OTHER_KERNELS,
+    gaussian_exponents,
+    kernel_values,
+    typical_distance,
+)
 
-KERNELS = ("gaussian", "laplacian", "chi2", "polynomial", "sigmoid", "cosine")
-_OTHERS = sorted({*pairwise.PAIRWISE_KERNEL_FUNCTIONS} - {*KERNELS})
-_SAMPLE = 500  # examples from whose pairs the typical distance of other kernels is taken
 _FITTED = ("indices_", "centres_", "features_", "mean_", "scale_", "beta_")
 _SUMMED = ("summed_", "places_")  # where kernels are normalised
 
@@ -46,10 +52,11 @@ class Basis(TransformerMixin, BaseEstimator):
         Whether the features themselves, at zero mean and unit variance, are basis functions too.
     centres : int, default=2700
         Largest number of training points that carry a kernel; of more, a random subset does.
-    width : float, default=1.0
+    width : float or "auto", default="auto"
         Factor of β, in units of 1 / (2 tr S), S the scatter (covariance) matrix of the
         training inputs: the larger, the narrower the kernels. 2 tr S is the mean squared distance
-        of two inputs; other kernels take the mean of their own distance.
+        of two inputs; other kernels take the mean of their own distance. "auto" is chosen by a
+        regressor's `fit`, by leave-one-out; it is 1 where there are no outputs to choose by.
     hellinger : bool, default=True
         Whether to take square roots of the inputs first, so that their Euclidean distance is
         the Hellinger distance of histograms; inputs must not be negative then.
@@ -58,7 +65,7 @@ class Basis(TransformerMixin, BaseEstimator):
         training points, as a damaged silhouette is, the nearest ones then still respond, where
         plain kernels vanish and leave the mean. The sum needs all centres, even where only some
         kernels are kept.
-    random_state : int or None, default=0
+    random_state : int, RandomState, Generator or None, default=0
         Seed of the subset of centres.
 
     Attributes
@@ -83,9 +90,13 @@ class Basis(TransformerMixin, BaseEstimator):
     """
 
     constraints: ClassVar[Constraints] = {
-        "kernel": one_of(*KERNELS, *_OTHERS).or_none(),
+        "kernel": one_of(*KERNELS, *OTHER_KERNELS).or_none(),
         "centres": POSITIVE_INTEGER,
-        "width": POSITIVE,
+        "width": POSITIVE.or_word("auto"),
+        "linear": FLAG,
+        "hellinger": FLAG,
+        "normalised": FLAG,
+        "random_state": SEED,
     }
 
     def __init__(
@@ -94,10 +105,10 @@ class Basis(TransformerMixin, BaseEstimator):
         *,
         linear: bool = False,
         centres: int = 2700,
-        width: float = 1.0,
+        width: float | Literal["auto"] = "auto",
         hellinger: bool = True,
         normalised: bool = False,
-        random_state: int | None = 0,
+        random_state: RandomState = 0,
     ) -> None:
         self.kernel = kernel
         self.linear = linear
@@ -124,7 +135,7 @@ class Basis(TransformerMixin, BaseEstimator):
         """
         self._check()
         inputs = self._roots(validate_data(self, z, dtype=float))
-        random = np.random.default_rng(self.random_state)
+        random = generator_of(self.random_state)
         count = min(self.centres, len(inputs)) if self.kernel else 0
         self.indices_ = np.sort(random.choice(len(inputs), count, replace=False))
         self.centres_ = inputs[self.indices_]
@@ -133,8 +144,9 @@ class Basis(TransformerMixin, BaseEstimator):
         self.features_ = np.arange(inputs.shape[1] if self.linear else 0)
         self.mean_, deviation = inputs.mean(axis=0), inputs.std(axis=0)
         self.scale_ = np.where(deviation > 0, deviation, 1.0)
-        typical = self._typical_distance(inputs) if self.kernel else 0.0
-        self.beta_ = self.width / typical if typical > 0 else 1.0
+        typical = typical_distance(inputs, self.kernel) if self.kernel else 0.0
+        width = 1.0 if self.width == "auto" else self.width
+        self.beta_ = width / typical if typical > 0 else 1.0
         return self
 
     def transform(self, z: ArrayLike) -> Array:
@@ -160,6 +172,19 @@ class Basis(TransformerMixin, BaseEstimator):
         kernels = self._shares(inputs) if self.normalised else self._kernels(inputs)
         return np.hstack([kernels, features]) if len(self.features_) else kernels
 
+    def get_feature_names_out(self, input_features: ArrayLike | None = None) -> NDArray[np.object_]:
+        """Names of the basis functions: ``kernel7`` at training row 7, and those of features.
+
+        Parameters
+        ----------
+        input_features : array-like of str, shape (d,), or None, default=None
+            Names of the features; None is those seen in `fit`, or ``x0``, ``x1`` and so on.
+        """
+        check_is_fitted(self)
+        features = np.asarray(_check_feature_names_in(self, input_features), dtype=object)
+        kernels = [f"kernel{row}" for row in self.indices_]
+        return np.array([*kernels, *features[self.features_]], dtype=object)
+
     @property
     def size_(self) -> int:
         """Number of basis functions."""
@@ -182,6 +207,8 @@ class Basis(TransformerMixin, BaseEstimator):
         basis.features_ = self.features_[features]
         for name in ("mean_", "scale_", "beta_", "n_features_in_"):
             setattr(basis, name, getattr(self, name))
+        if hasattr(self, "feature_names_in_"):
+            basis.feature_names_in_ = self.feature_names_in_
         return basis
 
     def to_arrays(self) -> State:
@@ -210,41 +237,12 @@ class Basis(TransformerMixin, BaseEstimator):
             raise InputError(f"normalised=True needs kernel='gaussian', not {self.kernel!r}")
 
     def _kernels(self, inputs: Array) -> Array:
-        if self._metric() == "rbf":
-            exponents = self._exponents(inputs, self.centres_)
-            return np.exp(exponents, out=exponents)
-        # One job, as more would round differently.
-        kernels = pairwise.pairwise_kernels(
-            inputs, self.centres_, self._metric(), n_jobs=1, filter_params=True, gamma=self.beta_
-        )
-        return np.asarray(kernels)
+        return kernel_values(inputs, self.centres_, str(self.kernel), self.beta_)
 
     def _shares(self, inputs: Array) -> Array:
         # As a softmax of exponents: however far the inputs, the sum of kernels is not 0.
-        exponents = self._exponents(inputs, self.summed_)
+        exponents = gaussian_exponents(inputs, self.summed_, self.beta_)
         return np.asarray(softmax(exponents, axis=1)[:, self.places_])
-
-    def _exponents(self, inputs: Array, centres: Array) -> Array:
-        """-β ‖z - z_k‖², shape (n, k), by scikit-learn's arithmetic, without its checks."""
-        squared = inputs @ centres.T
-        squared *= -2
-        squared += np.einsum("ij,ij->i", inputs, inputs)[:, None]
-        squared += np.einsum("ij,ij->i", centres, centres)
-        np.maximum(squared, 0, out=squared)
-        return np.multiply(squared, -self.beta_, out=squared)
-
-    def _metric(self) -> str:
-        return "rbf" if self.kernel == "gaussian" else str(self.kernel)
-
-    def _typical_distance(self, inputs: Array) -> float:
-        if self._metric() == "rbf":
-            return float(2 * inputs.var(axis=0).sum())
-        some = inputs[:: max(1, len(inputs) // _SAMPLE)]
-        if self.kernel == "laplacian":
-            return float(pairwise.manhattan_distances(some).mean())
-        if self.kernel == "chi2":
-            return float(-pairwise.additive_chi2_kernel(some).mean())
-        return float((inputs**2).sum(axis=1).mean())
 
     def _roots(self, inputs: Array) -> Array:
         return square_roots(inputs) if self.hellinger else inputs

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 from silpose.core.types import Array, Indices
+from silpose.regression.scales import scales_of
 
 
 @dataclass(frozen=True)
@@ -49,12 +50,10 @@ class NormalEquations:
         f : ndarray, shape (n, p)
         y : ndarray, shape (n, m)
         """
-        mean_f, mean_y = f.mean(axis=0), y.mean(axis=0)
-        deviation = y.std(axis=0)
+        mean_f = f.mean(axis=0)
+        mean_y, scale_y, varies = scales_of(y)
         # A constant output stays as it is; what rounding leaves of its variance is not blown up.
-        constant = deviation <= 1e-10 * np.maximum(np.abs(mean_y), 1)
-        scale_y = np.where(constant, 1.0, deviation)
-        centred, scaled = f - mean_f, np.where(constant, 0.0, (y - mean_y) / scale_y)
+        centred, scaled = f - mean_f, np.where(varies, (y - mean_y) / scale_y, 0.0)
         return cls(
             centred.T @ centred,
             centred.T @ scaled,

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
+from scipy.linalg.blas import dsymv
 
 from silpose.core.types import Array
 from silpose.regression.normal_equations import NormalEquations
@@ -47,13 +49,27 @@ class Posterior:
         -------
         variance : ndarray, shape (n, m)
         """
+        system, (inverse, noise) = self.system, self._solved
+        centred = f - system.mean_f
+        if len(centred) == 1:  # half of the matrix is read: its size is what a single row costs
+            half = dsymv(1.0, inverse, centred[0], lower=1) if len(inverse) else centred[0]
+            uncertainty = np.array([half @ centred[0]])
+        else:
+            uncertainty = np.einsum("nk,kl,nl->n", centred, inverse, centred, optimize=True)
+        spread = 1 + 1 / system.count + np.maximum(uncertainty, 0)
+        return np.outer(spread, noise * system.scale_y**2)
+
+    @cached_property
+    def _solved(self) -> tuple[Array, Array]:
+        """P (k, k) in LAPACK's memory order, and σ² (m,): computed once, for all predictions."""
         system = self.system
         damped = system.gram + np.diag(self.damping)
         inverse = cho_solve(cho_factor(damped, lower=True), np.eye(len(damped)))
         freedom = len(damped) - self.damping @ inverse.diagonal() + 1  # 1 for the offset
         misfit = system.power - ((2 * system.target - system.gram @ self.a) * self.a).sum(axis=0)
         noise = np.maximum(misfit, 0) / max(system.count - freedom, 1.0)
-        centred = f - system.mean_f
-        uncertainty = np.einsum("nk,kl,nl->n", centred, inverse, centred, optimize=True)
-        spread = 1 + 1 / system.count + np.maximum(uncertainty, 0)
-        return np.outer(spread, noise * system.scale_y**2)
+        return np.asfortranarray(inverse), noise
+
+    def __getstate__(self) -> dict[str, object]:
+        """Leave the inverse out of pickles, which it would make twice as large."""
+        return {name: value for name, value in self.__dict__.items() if name != "_solved"}

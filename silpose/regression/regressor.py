@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, overload
+from typing import Any, ClassVar, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,18 +10,21 @@ from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin, clone
 from sklearn.utils import Tags
 from sklearn.utils.validation import check_is_fitted, validate_data
 
+from silpose.core.default_parts import DefaultParts, Parts
 from silpose.core.errors import InputError
+from silpose.core.parameters import check_parameters
 from silpose.core.serialisation import State, prefixed, without_prefix
 from silpose.core.types import Array, Indices
+from silpose.regression.automatic import choose
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.posterior import Posterior
 
-_ARRAYS = ("coef_", "intercept_", "relevance_")
+_ARRAYS = {"coef_": "weights_", "intercept_": "intercept_", "relevance_": "relevance_"}
 _SHARES = ("kept_", "kept_per_output_")
 
 
-class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
+class Regressor(DefaultParts, MultiOutputMixin, RegressorMixin, BaseEstimator):
     """A linear combination of basis functions.
 
     A new kind of regressor implements `fit_system`, or `fit_basis` where it needs more than the
@@ -37,10 +40,12 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         Their share of all basis functions; of an SVM, of all examples.
     kept_per_output_ : float
         Share of the basis functions that an output has, on average.
-    coef_ : ndarray, shape (k, m)
+    weights_ : ndarray, shape (k, m)
+        Coefficients of the basis functions that are kept.
     intercept_ : ndarray, shape (m,)
     """
 
+    default_parts: ClassVar[Parts] = {"basis": Basis}
     basis: Basis | None = None
 
     def fit(self, X: ArrayLike, y: ArrayLike) -> Regressor:
@@ -52,13 +57,26 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
             Inputs: descriptors z.
         y : array-like, shape (n, m) or (n,)
             Outputs: poses x.
+
+        Raises
+        ------
+        InputError
+            If a parameter cannot be used.
         """
+        check_parameters(self)
         inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
         basis = clone(self.basis) if self.basis is not None else Basis()
         self._single = outputs.ndim == 1
-        columns = outputs[:, None] if self._single else outputs
-        self.fit_basis(basis.fit(inputs), inputs, columns.astype(float))
+        columns = (outputs[:, None] if self._single else outputs).astype(float)
+        self._fit_chosen(basis, inputs, columns)
         return self
+
+    def _fit_chosen(self, basis: Basis, z: Array, x: Array) -> None:
+        """Choose what is "auto", and fit."""
+        check_parameters(basis)
+        if basis.kernel and basis.width == "auto":
+            basis = choose(basis, z, x).basis
+        self.fit_basis(basis.fit(z), z, x)
 
     def fit_basis(self, basis: Basis, z: Array, x: Array) -> None:
         """Fit on a basis that is fitted already.
@@ -68,7 +86,7 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         basis : Basis
         z, x : ndarray, shapes (n, d) and (n, m)
         """
-        self.fit_system(basis, NormalEquations.of(basis.transform(z), x))
+        self.fit_system(basis, NormalEquations.of(basis.evaluate(z), x))
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
         """Fit to normal equations that are known already: one kernel serves many settings.
@@ -86,7 +104,7 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self, basis: Basis, system: NormalEquations, a: Array, kept: Indices, damping: Array
     ) -> None:
         """Take over a solution: coefficients, the basis functions kept, and the posterior."""
-        self.coef_, self.intercept_ = system.unscaled(a, kept)
+        self.weights_, self.intercept_ = system.unscaled(a, kept)
         self._keep_basis(basis, kept)
         everything = len(kept) == len(system.gram)
         fitted = system if everything else system.restrict(kept)
@@ -97,7 +115,8 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         self.n_features_in_ = basis.n_features_in_
         self.relevance_ = kept
         self.kept_ = len(kept) / basis.size_
-        self.kept_per_output_ = np.count_nonzero(self.coef_) / self.coef_.shape[1] / basis.size_
+        self.kept_per_output_ = np.count_nonzero(self.weights_) / self.weights_.shape[1]
+        self.kept_per_output_ /= basis.size_
 
     @overload
     def predict(self, X: ArrayLike, return_std: Literal[False] = False) -> Array: ...
@@ -163,7 +182,21 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
         return self._combine(self.basis_.evaluate(z))
 
     def _combine(self, f: Array) -> Array:
-        return f @ self.coef_ + self.intercept_
+        return f @ self.weights_ + self.intercept_
+
+    @property
+    def coef_(self) -> Array:
+        """Coefficients: of a linear basis as scikit-learn has them, else `weights_`.
+
+        With a linear basis they are those of all features, at unit variance, shape (m, d) or,
+        for outputs of shape (n,), (d,); 0 where a feature was removed.
+        """
+        weights, basis = self.weights_, self.basis_
+        if basis.kernel is not None:
+            return weights
+        coefficients = np.zeros((weights.shape[1], self.n_features_in_))
+        coefficients[:, basis.features_] = weights.T
+        return coefficients[0] if self._is_single else coefficients
 
     @property
     def _is_single(self) -> bool:
@@ -173,15 +206,19 @@ class Regressor(MultiOutputMixin, RegressorMixin, BaseEstimator):
     def to_arrays(self) -> State:
         """Return what predictions need, as arrays and numbers."""
         check_is_fitted(self)
-        own = {name: getattr(self, name) for name in (*_ARRAYS, *_SHARES)}
+        own = {name: getattr(self, attribute) for name, attribute in _ARRAYS.items()}
+        own |= {name: getattr(self, name) for name in _SHARES}
+        if self._is_single:
+            own["single"] = True
         return own | prefixed("basis", self.basis_.to_arrays())
 
     @classmethod
     def from_arrays(cls, state: dict[str, Any]) -> Regressor:
         """Restore a regressor from `to_arrays`; it predicts, without standard deviations."""
         regressor = cls()
-        for name in _ARRAYS:
-            setattr(regressor, name, np.asarray(state[name]))
+        for name, attribute in _ARRAYS.items():
+            setattr(regressor, attribute, np.asarray(state[name]))
+        regressor._single = bool(state.get("single", False))
         for name in _SHARES:
             setattr(regressor, name, float(state[name]))
         regressor.basis_ = Basis.from_arrays(without_prefix("basis", state))

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 import numpy as np
 
 from silpose.core.parameters import POSITIVE, Constraints, check_parameters
+from silpose.core.types import Array
+from silpose.regression.automatic import choose
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
+
+_USUAL = 0.1  # damping where no examples are at hand to choose by
 
 
 class RidgeRegressor(Regressor):
@@ -21,23 +25,43 @@ class RidgeRegressor(Regressor):
     ----------
     basis : Basis or None, default=None
         Basis functions, not fitted; None is `Basis()`.
-    damping : float, default=0.1
-        λ; outputs are scaled to unit variance first.
+    damping : float or "auto", default="auto"
+        λ; outputs are scaled to unit variance first. "auto" is the one whose leave-one-out error
+        is least; where only normal equations are known, in `fit_system`, it is 0.1.
+
+    Attributes
+    ----------
+    damping_ : float
+        The λ that was used.
 
     See Also
     --------
     RelevanceVectorRegressor : Keeps few of the basis functions.
     """
 
-    constraints: ClassVar[Constraints] = {"damping": POSITIVE}
+    constraints: ClassVar[Constraints] = {"damping": POSITIVE.or_word("auto")}
 
-    def __init__(self, basis: Basis | None = None, *, damping: float = 0.1) -> None:
+    def __init__(
+        self, basis: Basis | None = None, *, damping: float | Literal["auto"] = "auto"
+    ) -> None:
         self.basis = basis
         self.damping = damping
+
+    def _fit_chosen(self, basis: Basis, z: Array, x: Array) -> None:
+        if self.damping != "auto":
+            super()._fit_chosen(basis, z, x)
+            return
+        check_parameters(basis)
+        chosen = choose(basis, z, x)
+        fitted = chosen.basis.fit(z)
+        self._solve(fitted, NormalEquations.of(fitted.evaluate(z), x), chosen.damping)
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
         """Solve normal equations that are known already."""
         check_parameters(self)
-        everything = np.arange(basis.size_)
-        damping = np.full(basis.size_, float(self.damping))
-        self._keep(basis, system, system.solve(self.damping), everything, damping)
+        self._solve(basis, system, _USUAL if self.damping == "auto" else float(self.damping))
+
+    def _solve(self, basis: Basis, system: NormalEquations, damping: float) -> None:
+        self.damping_ = damping
+        every = np.arange(basis.size_)
+        self._keep(basis, system, system.solve(damping), every, np.full(basis.size_, damping))

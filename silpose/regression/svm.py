@@ -15,6 +15,7 @@ from silpose.core.parameters import NOT_NEGATIVE, POSITIVE, Constraints, check_p
 from silpose.core.types import Array
 from silpose.regression.basis import Basis
 from silpose.regression.regressor import Regressor
+from silpose.regression.scales import scales_of
 
 
 class SupportVectorRegressor(Regressor):
@@ -59,11 +60,11 @@ class SupportVectorRegressor(Regressor):
         check_parameters(self)
         if basis.kernel and basis.linear:
             raise InputError("support vectors need kernels or a linear basis, not both")
-        f = basis.transform(z)
+        f = basis.evaluate(z)
         rows = basis.indices_ if basis.kernel else np.arange(len(z))
         gram = f[rows] if basis.kernel else f @ f.T
-        mean, scale = x.mean(axis=0), x.std(axis=0)
-        moving = np.flatnonzero(scale > 1e-10 * np.maximum(np.abs(mean), 1))
+        mean, scale, varies = scales_of(x)
+        moving = np.flatnonzero(varies)
         tubes = np.broadcast_to(
             self.tube * np.asarray(1.0 if self.units is None else self.units, dtype=float),
             mean.shape,
@@ -80,10 +81,10 @@ class SupportVectorRegressor(Regressor):
             self.intercept_[j] += offset * scale[j]
         support = np.flatnonzero(dual.any(axis=1))
         if basis.kernel:
-            self.coef_ = dual[support]
+            self.weights_ = dual[support]
             self._keep_basis(basis, support)
         else:
-            self.coef_ = f.T @ dual
+            self.weights_ = f.T @ dual
             self._keep_basis(basis, np.arange(basis.size_))
         self.kept_ = len(support) / len(rows)
         self.kept_per_output_ = np.count_nonzero(dual) / dual.size

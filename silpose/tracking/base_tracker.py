@@ -11,9 +11,17 @@ from numpy.typing import ArrayLike
 from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
+from silpose.core.default_parts import DefaultParts
 from silpose.core.errors import InputError
 from silpose.core.serialisation import State
 from silpose.core.types import Array, Examples
+from silpose.tracking.checks import (
+    check_finite,
+    check_not_negative,
+    check_table,
+    checked_rate,
+    numbers,
+)
 from silpose.tracking.track import Track
 
 SAME_RATE = 0.02
@@ -23,7 +31,7 @@ Run = TypeVar("Run")
 """Kind of filter that a tracker runs over frames."""
 
 
-class Tracker(ABC, BaseEstimator, Generic[Run]):
+class Tracker(ABC, DefaultParts, BaseEstimator, Generic[Run]):
     """Estimates poses over time from descriptors.
 
     A fitted tracker is not changed by using it: `track` and `start` may be called in any order,
@@ -42,6 +50,11 @@ class Tracker(ABC, BaseEstimator, Generic[Run]):
             Descriptors (F, d) and poses (F, D) of each training take.
         y : None
             Ignored.
+
+        Raises
+        ------
+        InputError
+            If a parameter or a take cannot be used; the take is named by its index.
         """
 
     @abstractmethod
@@ -72,7 +85,8 @@ class Tracker(ABC, BaseEstimator, Generic[Run]):
         Raises
         ------
         InputError
-            If the frame rate is not the training takes', or an array has another shape.
+            If the frame rate is not the training takes', an array has another shape, known poses
+            are not finite, descriptors or the lag negative.
         """
 
     @abstractmethod
@@ -113,14 +127,15 @@ class Tracker(ABC, BaseEstimator, Generic[Run]):
         """Check what is to be tracked; return descriptors (F, d) and known poses (P, D)."""
         known = self._known(initial)
         trained = self.frames_per_second
-        if frames_per_second is not None and abs(frames_per_second / trained - 1) > SAME_RATE:
+        rate = trained if frames_per_second is None else checked_rate(frames_per_second)
+        if abs(rate / trained - 1) > SAME_RATE:
             raise InputError(
                 f"this tracker was trained at {trained:g} frames per second and cannot follow "
-                f"{frames_per_second:g}: use silpose.tracking.track_at, which resamples the take"
+                f"{rate:g}: use silpose.tracking.track_at, which resamples the take"
             )
-        z, columns = np.asarray(z, dtype=float), self.columns[0]
-        if z.ndim != 2 or z.shape[1] != columns:
-            raise InputError(f"descriptors have shape {z.shape}: expected (frames, {columns})")
+        z = numbers(z, "descriptors")
+        check_table(z, "descriptors", self.columns[0])
+        check_not_negative(z, "descriptors")
         if len(z) == 0:
             raise InputError("there is no frame to track: give one descriptor or more")
         return z, known[: len(z)]
@@ -131,9 +146,10 @@ class Tracker(ABC, BaseEstimator, Generic[Run]):
         columns = self.columns[1]
         if initial is None:
             return np.empty((0, columns))
-        known = np.atleast_2d(np.asarray(initial, dtype=float))
+        known = np.atleast_2d(numbers(initial, "initial poses"))
         if known.ndim != 2 or known.shape[1] != columns:
             raise InputError(f"initial poses have shape {known.shape}: expected (poses, {columns})")
+        check_finite(known, "initial poses", "give poses that are known, or leave 'initial' out")
         return known
 
 
@@ -170,11 +186,12 @@ class TrackerStream(Generic[Run]):
         Raises
         ------
         InputError
-            If the descriptor has another length.
+            If the descriptor has another length, or is negative.
         """
-        z = np.asarray(z, dtype=float)
+        z = numbers(z, "values of the descriptor")
         if z.shape != self._shape:
             raise InputError(f"a descriptor has shape {z.shape}: expected {self._shape}")
+        check_not_negative(z[None], "descriptors")
         return self._tracker.advance(self._run, z)
 
     def fork(self) -> TrackerStream[Run]:

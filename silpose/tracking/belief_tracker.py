@@ -19,9 +19,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from silpose.core.parameters import PROBABILITY, Constraints, check_parameters
+from silpose.core.random_states import RandomState
 from silpose.core.types import Array, Examples
 from silpose.tracking.base_tracker import TrackerStream
 from silpose.tracking.belief_filter import BeliefFilter, fixed_lag_smooth, reversed_time
+from silpose.tracking.checks import checked_lag, checked_takes
 from silpose.tracking.key_pose_tracker import KeyPoseTracker
 from silpose.tracking.key_poses import KeyPoseComparison, KeyPoses, kernel
 from silpose.tracking.track import Track
@@ -54,7 +56,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         recovers.
     frames_per_second : float, default=15.0
         Frame rate of the training takes, and of what is tracked.
-    random_state : int or None, default=0
+    random_state : int, RandomState, Generator or None, default=0
         Seed of k-means.
 
     Attributes
@@ -92,7 +94,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         body_alone: float | None = None,
         restart: float = 1e-6,
         frames_per_second: float = 15.0,
-        random_state: int | None = 0,
+        random_state: RandomState = 0,
     ) -> None:
         self.space = space
         self.keep = keep
@@ -108,6 +110,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
     def fit(self, takes: Examples, y: object = None) -> Self:
         """Learn key poses and how they follow one another; `takes` as of `Tracker.fit`."""
         check_parameters(self)
+        takes = checked_takes(takes)
         self.use_fitted(self.key_poses(takes))
         surprises = [0.0]
         for z, _ in takes:
@@ -155,6 +158,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         track : Track
             With beliefs.
         """
+        lag = checked_lag(lag)
         z, known = self._checked(z, initial, frames_per_second)
         order = slice(None, None, -1 if backwards else 1)
         comparison = self.examples_.compare(z[order])

@@ -14,6 +14,8 @@ from silpose.core.errors import InputError
 from silpose.core.parameters import POSITIVE, Constraints, check_parameters
 from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array
+from silpose.regression.scales import scales_of
+from silpose.tracking.checks import checked_poses
 
 _FITTED = ("mean_", "scale_", "coef_")
 
@@ -60,16 +62,14 @@ class SecondOrderDynamics(BaseEstimator):
         Raises
         ------
         InputError
-            If no take has three frames.
+            If no take has three frames, or one cannot be used.
         """
         check_parameters(self)
-        takes = [np.asarray(take, dtype=float) for take in poses]
+        takes = checked_poses(poses)
         if not any(len(take) > 2 for take in takes):
             raise InputError("dynamics need a take of three frames or more")
         every = np.concatenate(takes)
-        deviation = every.std(axis=0)
-        self.mean_ = every.mean(axis=0)
-        self.scale_ = np.where(deviation > 1e-10 * np.maximum(np.abs(self.mean_), 1), deviation, 1)
+        self.mean_, self.scale_, _ = scales_of(every)
         steps = [self._steps((take - self.mean_) / self.scale_) for take in takes if len(take) > 2]
         states, changes = (np.concatenate(part) for part in zip(*steps, strict=True))
         gram = states.T @ states

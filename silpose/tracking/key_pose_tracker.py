@@ -10,8 +10,9 @@ from typing import ClassVar, Self
 import numpy as np
 from sklearn.utils.validation import check_is_fitted
 
-from silpose.core.parameters import FROM_0_TO_1, POSITIVE, SHARE, Constraints, one_of
+from silpose.core.parameters import FROM_0_TO_1, POSITIVE, SEED, SHARE, Constraints, one_of
 from silpose.core.pose_space import SPACES
+from silpose.core.random_states import RandomState, seed_of
 from silpose.core.serialisation import (
     State,
     arrays_of,
@@ -54,6 +55,7 @@ class KeyPoseTracker(Tracker[Run]):
         "heading_alone": FROM_0_TO_1.or_none(),
         "body_alone": FROM_0_TO_1.or_none(),
         "frames_per_second": POSITIVE,
+        "random_state": SEED,
     }
     _fitted: ClassVar[tuple[str, ...]]  # names of fitted arrays and numbers
 
@@ -64,11 +66,11 @@ class KeyPoseTracker(Tracker[Run]):
     damping: float
     heading_alone: float | None
     body_alone: float | None
-    random_state: int | None
+    random_state: RandomState
 
     def key_poses(self, takes: Examples) -> KeyPoses:
         """Cluster the poses of training takes ``(z, x)``."""
-        return KeyPoses.fit(takes, SPACES[self.space], self.keep, self.random_state)
+        return KeyPoses.fit(takes, SPACES[self.space], self.keep, seed_of(self.random_state))
 
     @abstractmethod
     def track_separately(self, z: Array) -> tuple[Array, Array]:

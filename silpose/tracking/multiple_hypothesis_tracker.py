@@ -18,18 +18,22 @@ import numpy as np
 from numpy.typing import ArrayLike
 from sklearn.base import clone
 
+from silpose.core.default_parts import Parts
 from silpose.core.parameters import (
     BETWEEN_0_AND_1,
+    NUMBER,
     POSITIVE,
     POSITIVE_INTEGER,
     PROBABILITY,
     Constraints,
     check_parameters,
 )
+from silpose.core.random_states import RandomState, seed_of
 from silpose.core.serialisation import State, prefixed, without_prefix
 from silpose.core.types import Array, Examples
 from silpose.regression import MixtureOfRegressors
 from silpose.tracking.base_tracker import TrackerStream
+from silpose.tracking.checks import checked_lag, checked_takes
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_pose_tracker import KeyPoseTracker
 from silpose.tracking.key_poses import KeyPoses
@@ -65,8 +69,7 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
     pose_width : float, default=0.5
         Standard deviation of the pose kernel around the rough pose, per standardised column.
     descriptor_width : float, default=1.0
-        Standard deviation of the descriptor kernel, relative to how far a training frame lies
-        from its key pose.
+        Standard deviation of the descriptor kernel, in distances of a frame from its key pose.
     damping : float, default=4.0
         λ of the regression on key poses, in units of a whitened descriptor's variance.
     heading_alone, body_alone : float or None, default=None
@@ -74,33 +77,30 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
         alone; None counts as 0, but is chosen by `choose_hypothesis_tracker`.
     frames_per_second : float, default=15.0
         Frame rate of the training takes, and of what is tracked.
-    random_state : int or None, default=0
+    random_state : int, RandomState, Generator or None, default=0
         Seed of k-means, and of the draws in each take or stream.
 
     Attributes
     ----------
     mixture_, dynamics_ : estimator
-    examples_ : KeyExamples
-        Key poses and their descriptors.
-    silhouette_alone_ : SilhouetteRegressor
+    examples_, silhouette_alone_ : KeyExamples and SilhouetteRegressor
     mean_, variance_ : ndarray, shape (D,)
         Moments of training poses.
-    typical_ : ndarray, shape (D,)
-        Typical variance of the mixture's components.
-    noise_ : ndarray, shape (D,)
-        Variance of a prediction, the diagonal of Q.
-
-    See Also
-    --------
-    BeliefTracker : a belief over key poses instead of particles.
+    typical_, noise_ : ndarray, shape (D,)
+        Typical variance of the mixture's components; that of a prediction, the diagonal of Q.
     """
 
+    default_parts: ClassVar[Parts] = {
+        "mixture": MixtureOfRegressors,
+        "dynamics": SecondOrderDynamics,
+    }
     constraints: ClassVar[Constraints] = {
         "n_particles": POSITIVE_INTEGER,
         "process_noise": POSITIVE,
         "likelihood_exponent": POSITIVE,
         "velocity_gain": PROBABILITY,
         "birth_probability": BETWEEN_0_AND_1,
+        "surprise": NUMBER,
         **KeyPoseTracker.constraints,
     }
     _fitted = ("mean_", "variance_", "typical_", "noise_")
@@ -124,7 +124,7 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
         heading_alone: float | None = None,
         body_alone: float | None = None,
         frames_per_second: float = 15.0,
-        random_state: int | None = 0,
+        random_state: RandomState = 0,
     ) -> None:
         self.mixture = mixture
         self.dynamics = dynamics
@@ -147,9 +147,10 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
     def fit(self, takes: Examples, y: object = None) -> Self:
         """Fit the mixture, the dynamics and the key poses; `takes` as of `Tracker.fit`."""
         check_parameters(self)
-        z, x = (np.concatenate(own) for own in zip(*takes, strict=True))
-        poses = [own for _, own in takes]
-        mixture = clone(self.mixture or MixtureOfRegressors()).fit(z, x)
+        takes = checked_takes(takes)
+        z, poses = map(list, zip(*takes, strict=True))
+        mixture = clone(self.mixture or MixtureOfRegressors())
+        mixture.fit(np.concatenate(z), np.concatenate(poses))
         dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(poses)
         return self.use_fitted(mixture, dynamics, self.key_poses(takes), poses)
 
@@ -196,7 +197,7 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
         """
         z, known = self._checked(z, initial, frames_per_second)
         check_modes(modes)
-        lag = min(lag, len(z) - 1)
+        lag = min(checked_lag(lag), len(z) - 1)
         run = self._filter(length=max(lag + 1, 2))
         x, states, weights, means = filter_take(run, z, known, lag)
         free = slice(len(known), None)
@@ -228,13 +229,12 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
         return weights[:k], means[:k]
 
     def _filter(self, length: int) -> ParticleFilter:
-        """Return a filter that keeps paths of some frames."""
         model = FilterModel(
             self.mixture_, self.dynamics_, self.mean_, self.variance_, self.noise_, self.typical_,
             self.n_particles, self.likelihood_exponent, self.velocity_gain,
             self.birth_probability, self.surprise,
         )  # fmt: skip
-        return ParticleFilter(model, length, self.random_state)
+        return ParticleFilter(model, length, seed_of(self.random_state))
 
     def to_arrays(self) -> State:
         """Return parameters and fitted attributes as arrays, numbers and strings."""

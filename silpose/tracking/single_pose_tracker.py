@@ -10,11 +10,13 @@ from numpy.typing import ArrayLike
 from sklearn.base import clone
 from sklearn.utils.validation import check_is_fitted
 
+from silpose.core.default_parts import Parts
 from silpose.core.errors import InputError
 from silpose.core.parameters import NOT_NEGATIVE_INTEGER, POSITIVE, Constraints, check_parameters
 from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
 from silpose.core.types import Array, Examples
 from silpose.tracking.base_tracker import Tracker, TrackerStream
+from silpose.tracking.checks import checked_lag, checked_takes
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
 from silpose.tracking.track import Track, next_state
@@ -75,6 +77,10 @@ class SinglePoseTracker(Tracker[SinglePose]):
     section V, Eqs. 8 to 10.
     """
 
+    default_parts: ClassVar[Parts] = {
+        "dynamics": SecondOrderDynamics,
+        "regressor": StateSensitiveRegressor,
+    }
     constraints: ClassVar[Constraints] = {
         "samples": NOT_NEGATIVE_INTEGER,
         "frames_per_second": POSITIVE,
@@ -96,6 +102,7 @@ class SinglePoseTracker(Tracker[SinglePose]):
     def fit(self, takes: Examples, y: object = None) -> Self:
         """Learn dynamics and correction; `takes` as of `Tracker.fit`."""
         check_parameters(self)
+        takes = checked_takes(takes)
         dynamics = clone(self.dynamics or SecondOrderDynamics()).fit([x for _, x in takes])
         examples = observed_and_sampled(takes, dynamics, self.samples)
         regressor = clone(self.regressor or StateSensitiveRegressor()).fit(*examples)
@@ -135,7 +142,7 @@ class SinglePoseTracker(Tracker[SinglePose]):
         InputError
             Without the first two poses, or if estimates shall wait.
         """
-        if lag:
+        if checked_lag(lag):
             raise InputError(f"lag must be 0 for a single pose, not {lag}: use a BeliefTracker")
         z, known = self._checked(z, initial, frames_per_second)
         run = self._initialised(self._known(initial), min(GIVEN, len(z)))

@@ -7,6 +7,7 @@ from scipy.signal import savgol_filter
 from sklearn.neighbors import NearestNeighbors
 
 from silpose.core.types import Array
+from silpose.regression.scales import scales_of
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import squared_distances
 
@@ -98,8 +99,7 @@ def viterbi(z_train: Array, x_train: Array, z: Array, neighbours: int, weight: f
     search = NearestNeighbors(n_neighbors=min(neighbours, len(roots))).fit(roots)
     distances, candidates = search.kneighbors(np.sqrt(z))
     costs = distances**2 / max(float(np.median(distances[:, 0] ** 2)), 1e-12)
-    deviation = x_train.std(axis=0)
-    poses = x_train / np.where(deviation > 1e-10, deviation, 1)
+    poses = x_train / scales_of(x_train)[1]
     total, came_from = costs[0], []
     for frame in range(1, len(z)):
         step = squared_distances(poses[candidates[frame - 1]], poses[candidates[frame]])

@@ -15,14 +15,18 @@ from silpose.core.parameters import (
     FROM_0_TO_1,
     POSITIVE,
     POSITIVE_INTEGER,
+    SEED,
     SHARE,
     Constraints,
     check_parameters,
 )
+from silpose.core.random_states import RandomState, generator_of
 from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array, Examples, Indices
 from silpose.regression.normal_equations import NormalEquations
+from silpose.regression.scales import scales_of
 from silpose.regression.sparse import Bridges, sparsest_within
+from silpose.tracking.checks import checked_takes
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import squared_distances
 
@@ -52,7 +56,7 @@ class StateSensitiveRegressor(BaseEstimator):
         Largest number of training examples, drawn by seed, that carry a kernel.
     keep_at_most : float or None, default=0.18
         Share of the kernels that an RVM keeps; None is ridge regression on all.
-    random_state : int or None, default=0
+    random_state : int, RandomState, Generator or None, default=0
         Seed of the draw of centres.
 
     Attributes
@@ -77,6 +81,7 @@ class StateSensitiveRegressor(BaseEstimator):
         "damping": POSITIVE,
         "centres": POSITIVE_INTEGER,
         "keep_at_most": SHARE.or_none(),
+        "random_state": SEED,
     }
 
     def __init__(
@@ -88,7 +93,7 @@ class StateSensitiveRegressor(BaseEstimator):
         damping: float = 0.1,
         centres: int = 2000,
         keep_at_most: float | None = 0.18,
-        random_state: int | None = 0,
+        random_state: RandomState = 0,
     ) -> None:
         self.pose_width = pose_width
         self.descriptor_width = descriptor_width
@@ -109,15 +114,18 @@ class StateSensitiveRegressor(BaseEstimator):
             Descriptors.
         x : array-like, shape (n, D)
             True poses.
+
+        Raises
+        ------
+        InputError
+            If a parameter or an array cannot be used; take 0 is (z, x), take 1 (z, predicted).
         """
         check_parameters(self)
-        poses = np.asarray(x, dtype=float)
-        deviation = poses.std(axis=0)
-        self.mean_ = poses.mean(axis=0)
-        self.scale_ = np.where(deviation > 1e-10 * np.maximum(np.abs(self.mean_), 1), deviation, 1)
-        standard, state = self._standard(poses), self._standard(predicted)
-        roots = np.sqrt(np.asarray(z, dtype=float))
-        random = np.random.default_rng(self.random_state)
+        (descriptors, poses), (_, states) = checked_takes([(z, x), (z, predicted)])
+        self.mean_, self.scale_, _ = scales_of(poses)
+        standard, state = self._standard(poses), self._standard(states)
+        roots = np.sqrt(descriptors)
+        random = generator_of(self.random_state)
         chosen = random.choice(len(poses), min(self.centres, len(poses)), replace=False)
         self.centres_x_, self.centres_z_ = standard[chosen], roots[chosen]
         self.beta_x_ = self.pose_width / max(2 * standard.var(axis=0).sum(), 1e-12)

@@ -80,7 +80,7 @@ def other(parameter, full_name):
     if int in kind.scalars:
         return (default or 1) + 1
     if float in kind.scalars:
-        return 0.9 * default if default else 0.25
+        return 0.9 * default if default and default not in kind.choices else 0.25
     return "another"
 
 

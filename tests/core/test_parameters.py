@@ -3,7 +3,16 @@ import pytest
 
 from silpose.core import parameters
 from silpose.core.errors import InputError
-from silpose.core.parameters import check_parameters, check_values, one_of
+from silpose.core.parameters import (
+    NOT_NEGATIVE,
+    NUMBER,
+    NUMBER_OF_JOBS,
+    POSITIVE,
+    SEED,
+    check_parameters,
+    check_values,
+    one_of,
+)
 
 
 @pytest.mark.parametrize(
@@ -51,3 +60,21 @@ def test_values_of_one_parameter_are_checked_one_by_one():
         check_values("sizes", parameters.POSITIVE, 1, 0)
     with pytest.raises(InputError, match=r"^sizes must be at least one value, each positive$"):
         check_values("sizes", parameters.POSITIVE)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("constraint", [POSITIVE, NOT_NEGATIVE, NUMBER])
+def test_numbers_are_finite(constraint, value):
+    assert not constraint.holds(value)
+    assert constraint.holds(1.5)
+
+
+def test_words_and_kinds():
+    automatic = POSITIVE.or_word("auto")
+    assert all(map(automatic.holds, ["auto", 2]))
+    assert not any(map(automatic.holds, ["much", 0]))
+    assert all(map(NUMBER_OF_JOBS.holds, [-1, 3, None]))
+    assert not any(map(NUMBER_OF_JOBS.holds, [-2, 0]))
+    assert all(map(SEED.holds, [0, None, np.random.RandomState(0), np.random.default_rng(0)]))
+    assert not any(map(SEED.holds, [-1, "a"]))
+    assert not one_of("a", "b").holds([])

@@ -2,7 +2,14 @@ import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
-from silpose.descriptor.boundary import as_mask, boundary_pixels, extent, spaced_indices
+from silpose.descriptor import HuMoments, ShapeContextHistogram
+from silpose.descriptor.boundary import (
+    as_mask,
+    boundary_pixels,
+    extent,
+    spaced_indices,
+    stack_of,
+)
 
 
 def test_components_and_holes_all_belong_to_the_boundary():
@@ -78,3 +85,42 @@ def test_any_kind_of_zeros_and_ones_is_a_mask(kind):
 def test_what_is_no_mask_is_named(mask, complaint):
     with pytest.raises(InputError, match=complaint):
         as_mask(mask, 3)
+
+
+def masks_of(*sides):
+    masks = np.zeros((len(sides), 40, 40), np.uint8)
+    for mask, side in zip(masks, sides, strict=True):
+        mask[5 : 5 + side, 10:30] = 1
+    return masks
+
+
+def as_objects(masks):
+    objects = np.empty(len(masks), dtype=object)
+    objects[:] = list(masks)
+    return objects
+
+
+@pytest.mark.parametrize("kind", ["objects", "series"])
+def test_masks_in_any_container_are_taken_in_their_order(kind):
+    masks = masks_of(10, 20, 30)
+    held = as_objects(masks)
+    if kind == "series":
+        held = pytest.importorskip("pandas").Series(list(masks), index=[2, 0, 1])
+    for found, mask in zip(stack_of(held), masks, strict=True):
+        np.testing.assert_array_equal(found, mask)
+    histogram = ShapeContextHistogram(codebook_size=4, edge_points=20, n_jobs=-1).fit(masks)
+    np.testing.assert_array_equal(histogram.transform(held), histogram.transform(masks))
+    moments = HuMoments().fit(held)
+    np.testing.assert_array_equal(moments.transform(held), moments.transform(masks))
+
+
+def test_random_states_and_numbers_of_jobs():
+    masks = masks_of(10, 20, 30)
+    for kind in (np.random.RandomState, np.random.default_rng):
+        first, again = (
+            ShapeContextHistogram(codebook_size=4, edge_points=20, random_state=kind(1)).fit(masks)
+            for _ in range(2)
+        )
+        np.testing.assert_array_equal(first.codebook_, again.codebook_)
+    with pytest.raises(InputError, match="n_jobs must be a positive integer, or -1"):
+        ShapeContextHistogram(n_jobs=0).fit(masks)

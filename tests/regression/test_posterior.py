@@ -45,3 +45,15 @@ def test_support_vectors_have_no_standard_deviation(smooth):
     regressor = SupportVectorRegressor().fit(z, x)
     with pytest.raises(InputError, match="ridge or RVM"):
         regressor.predict(z, return_std=True)
+
+
+def test_a_single_row_costs_no_inverse_and_gives_the_same(smooth, monkeypatch):
+    (z, x), (unseen, _) = smooth
+    regressor = RidgeRegressor(damping=0.1).fit(z, x)
+    _, together = regressor.predict(unseen, return_std=True)
+    solved = []
+    module = "silpose.regression.posterior.cho_factor"
+    monkeypatch.setattr(module, lambda *args, **kwargs: solved.append(1))
+    alone = [regressor.predict(row[None], return_std=True)[1][0] for row in unseen]
+    np.testing.assert_allclose(alone, together)
+    assert not solved

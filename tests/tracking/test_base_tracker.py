@@ -127,6 +127,16 @@ def test_what_cannot_be_tracked_is_refused(tracker, unseen, given):
         tracker.start(given).step(z[0, :5])
     with pytest.raises(InputError, match=r"initial poses have shape \(2, 7\): expected"):
         tracker.track(z, np.zeros((2, 7)))
+    with pytest.raises(InputError, match="initial poses are not finite in frame 0: give"):
+        tracker.track(z, np.full((2, 55), np.nan))
+    with pytest.raises(InputError, match="lag must be zero or a positive integer"):
+        tracker.track(z, given, lag=-1)
+    with pytest.raises(InputError, match="frames_per_second must be a positive number, not nan"):
+        tracker.track(z, given, frames_per_second=np.nan)
+    with pytest.raises(InputError, match="descriptors are negative in frame 0"):
+        tracker.track(-z, given)
+    with pytest.raises(InputError, match="descriptors are negative"):
+        tracker.start(given).step(-z[0])
 
 
 def test_survives_saving(tracker, unseen, given):

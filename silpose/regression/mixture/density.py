@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.types import Array, Indices
 from silpose.regression.mixture.experts import Experts
-from silpose.regression.mixture.modes import distinct_modes
+from silpose.regression.mixture.modes import FORGOTTEN, distinct_modes
 from silpose.regression.mixture.shared_regressor import SharedRegressor
 
+_FAR = 4.0  # distance from the mean input, in standard deviations, that is far beyond training
+_LEAST_OUTLIERS = 1e-6  # probability of outliers where a user says that there are none
 _BLOCK = 64  # inputs whose components are in memory at a time
 
 
@@ -114,6 +116,20 @@ class ConditionalDensity:
         background = np.zeros((len(means), 1, means.shape[2]))
         with_background = np.append(which, len(self.experts.offsets))
         return weights, np.concatenate([means, background], axis=1), with_background
+
+    def known(self, inputs: MixtureInput) -> Array:
+        """Probability that some component, and not the background, is right, shape (n,).
+
+        Without a background, one of a very low probability takes its place. It also falls with
+        the distance from all training examples, beyond several of their standard deviations.
+        """
+        prior = max(self.outlier_probability, _LEAST_OUTLIERS)
+        gates = replace(self, outlier_probability=prior)._log_gates(inputs)
+        share = np.exp(_total(gates[:, :-1]) - _total(gates))[:, 0]
+        # A gate as wide as the background's never gives way to it: distance counts, too.
+        mean, variance = self.background
+        far = ((inputs.psi - mean) ** 2 / variance).mean(axis=1) / _FAR**2
+        return np.asarray(share * np.where(far > 1, FORGOTTEN / np.maximum(far, 1), 1))
 
     def variances(self) -> Array:
         """Diagonals of Λ_k, shape (K + 1, D)."""

@@ -7,34 +7,35 @@ output show that one silhouette means several poses, and EM.
 
 from __future__ import annotations
 
-from dataclasses import asdict
+import warnings
 from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 from sklearn.utils import Tags
-from sklearn.utils.validation import check_is_fitted, validate_data
+from sklearn.utils.validation import validate_data
 
 from silpose.core.errors import InputError
 from silpose.core.parameters import (
+    FLAG,
     NOT_NEGATIVE,
     POSITIVE,
     POSITIVE_INTEGER,
     PROBABILITY,
+    SEED,
+    Constraint,
     Constraints,
     check_parameters,
     one_of,
 )
-from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
-from silpose.regression.mixture.experts import Experts, Prior, expectation_maximisation
+from silpose.core.random_states import RandomState, seed_of
+from silpose.regression.mixture.experts import Prior, expectation_maximisation
 from silpose.regression.mixture.local_clusters import local_clusters
 from silpose.regression.mixture.prediction import MixturePredictions
 from silpose.regression.mixture.reduction import PoseDirections
 from silpose.regression.mixture.shared_regressor import SharedRegressor
 from silpose.regression.regressor import Regressor
-
-_FITTED = ("mean_", "scale_", "varies_", "background_", "n_features_in_", "_single")
-_REDUCTION = ("mean_", "components_")
+from silpose.regression.scales import scales_of
 
 
 class MixtureOfRegressors(MixturePredictions):
@@ -47,7 +48,8 @@ class MixtureOfRegressors(MixturePredictions):
     Parameters
     ----------
     clusters : int, default=60
-        Number of clusters of inputs, before they are split by connectivity in pose space.
+        Number of clusters of inputs, before they are split by connectivity in pose space. Less
+        than `smallest` examples for each bring a warning.
     dimensions : int, default=90
         Largest dimension of the reduced input ψ.
     damping : float, default=30.0
@@ -88,8 +90,8 @@ class MixtureOfRegressors(MixturePredictions):
         Largest number of rounds of EM.
     tol : float, default=1e-2
         EM stops once a round adds less than this to the log-likelihood per example.
-    random_state : int or None, default=0
-        Seed of random numbers.
+    random_state : int, RandomState, Generator or None, default=0
+        Seed or source of random numbers.
 
     Attributes
     ----------
@@ -124,6 +126,11 @@ class MixtureOfRegressors(MixturePredictions):
         "smallest": POSITIVE_INTEGER,
         "max_iter": POSITIVE_INTEGER,
         "tol": NOT_NEGATIVE,
+        "shared": Constraint(
+            "a Regressor or None", lambda value: value is None or isinstance(value, Regressor)
+        ),
+        "hellinger": FLAG,
+        "random_state": SEED,
     }
 
     def __init__(
@@ -147,7 +154,7 @@ class MixtureOfRegressors(MixturePredictions):
         hellinger: bool = True,
         max_iter: int = 10,
         tol: float = 1e-2,
-        random_state: int | None = 0,
+        random_state: RandomState = 0,
     ) -> None:
         self.clusters = clusters
         self.dimensions = dimensions
@@ -184,28 +191,26 @@ class MixtureOfRegressors(MixturePredictions):
         InputError
             If a parameter or an input cannot be used.
         """
-        inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
         check_parameters(self)
+        inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
         if self.clusters > len(inputs):
             raise InputError(
                 f"clusters must be at most the number of examples, n_samples = {len(inputs)}, "
                 f"not {self.clusters}"
             )
+        self._warn_of_few(len(inputs))
         self._single = outputs.ndim == 1
         outputs = outputs.reshape(len(outputs), -1).astype(float)
-        self.mean_, deviation = outputs.mean(axis=0), outputs.std(axis=0)
-        self.varies_ = deviation > 1e-10 * np.maximum(np.abs(self.mean_), 1)
-        self.scale_ = np.where(self.varies_, deviation, 1.0)
+        self.mean_, self.scale_, self.varies_ = scales_of(outputs)
         poses = (outputs - self.mean_) / self.scale_
-        reduction = PoseDirections(
-            self.dimensions, hellinger=self.hellinger, random_state=self.random_state
-        )
+        seed = seed_of(self.random_state)
+        reduction = PoseDirections(self.dimensions, hellinger=self.hellinger, random_state=seed)
         compared = poses
         if self.units is not None:  # the geometric mean of both scales
             compared = poses * np.sqrt(self.scale_ / np.asarray(self.units, dtype=float))
         self.reduction_ = reduction.fit(inputs, compared)
         psi = self.reduction_.transform(inputs)
-        labels = local_clusters(psi, compared, self.clusters, self.smallest, self.random_state)
+        labels = local_clusters(psi, compared, self.clusters, self.smallest, seed)
         prior = Prior.typical(psi, poses, labels, self.damping, self.floor)
         self.experts_, self.objective_, self.pruned_ = expectation_maximisation(
             psi, poses, labels, prior, 0.5 * self.smallest, self.max_iter, self.tol
@@ -219,29 +224,15 @@ class MixtureOfRegressors(MixturePredictions):
         self.background_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
         return self
 
-    def to_arrays(self) -> State:
-        """Return what predictions need, as arrays and numbers."""
-        check_is_fitted(self)
-        parts: dict[str, State] = {
-            "experts": asdict(self.experts_),
-            "reduction": arrays_of(self.reduction_, _REDUCTION),
-            "shared": self.shared_.to_arrays() if self.shared_ else {},
-        }
-        state = arrays_of(self, _FITTED)
-        for name, part in parts.items():
-            state |= prefixed(name, part)
-        return state
-
-    @classmethod
-    def from_arrays(cls, state: State) -> MixtureOfRegressors:
-        """Restore a mixture from `to_arrays`."""
-        mixture = estimator_from(cls, state, _FITTED)
-        experts = without_prefix("experts", state)
-        reduction, shared = without_prefix("reduction", state), without_prefix("shared", state)
-        mixture.experts_ = Experts(**{name: np.asarray(value) for name, value in experts.items()})
-        mixture.reduction_ = estimator_from(PoseDirections, reduction, _REDUCTION)
-        mixture.shared_ = SharedRegressor.from_arrays(shared) if shared else None
-        return mixture
+    def _warn_of_few(self, examples: int) -> None:
+        """Warn where components can have only few examples each, which do not determine them."""
+        if examples < self.smallest * self.clusters:
+            warnings.warn(
+                f"{examples} examples are few for clusters={self.clusters}: a RidgeRegressor will "
+                "estimate better, alone or as shared=RidgeRegressor()",
+                UserWarning,
+                stacklevel=3,
+            )
 
     def __sklearn_tags__(self) -> Tags:
         tags = super().__sklearn_tags__()

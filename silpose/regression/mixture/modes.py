@@ -6,6 +6,9 @@ import numpy as np
 
 from silpose.core.types import Array
 
+FORGOTTEN = 0.01
+"""Probability of all components below which modes give way to the mean of all poses."""
+
 MODES = 8
 """Number of modes that are considered, among which weights are calibrated."""
 
@@ -59,6 +62,25 @@ def distinct_modes(
     for m in modes[1:]:
         m[none] = np.broadcast_to(m[:, :1], m.shape)[none]
     return modes[0], modes[1], modes[2]
+
+
+def bounded(means: Array, variances: Array, known: Array) -> tuple[Array, Array]:
+    """Move modes towards all poses, of mean 0 and variance 1, where nothing like them is known.
+
+    Regressors extrapolate without bound. Down to a probability `FORGOTTEN` that one of them is
+    right, modes stay as they are; below, they give way in proportion.
+
+    Parameters
+    ----------
+    means, variances : ndarray, shape (n, k, D)
+    known : ndarray, shape (n,)
+        Probability that some component is right.
+    """
+    trust = np.minimum(known / FORGOTTEN, 1)[:, None, None]
+    if (trust == 1).all():
+        return means, variances
+    spread = trust * variances + (1 - trust) * (1 + trust * means**2)
+    return trust * means, np.where(trust == 1, variances, spread)
 
 
 def calibrated(weights: Array, exponent: float) -> Array:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from dataclasses import asdict
+from typing import Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,12 +11,16 @@ from sklearn.base import BaseEstimator, MultiOutputMixin, RegressorMixin
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.core.errors import InputError
+from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
 from silpose.core.types import Array
 from silpose.regression.mixture.density import ConditionalDensity, MixtureInput
 from silpose.regression.mixture.experts import Experts
-from silpose.regression.mixture.modes import MODES, calibrated
+from silpose.regression.mixture.modes import MODES, bounded, calibrated
 from silpose.regression.mixture.reduction import PoseDirections
 from silpose.regression.mixture.shared_regressor import SharedRegressor
+
+_FITTED = ("mean_", "scale_", "varies_", "background_", "n_features_in_", "_single")
+_REDUCTION = ("mean_", "components_")
 
 
 class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
@@ -80,11 +85,15 @@ class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
             background component. Where there are fewer than k modes, the rest has weight 0 and
             repeats the first.
         means, variances : ndarray, shape (n, k, D)
+            Where the background component has nearly all the probability, nothing like z was
+            seen: the modes then move to its mean and its variance, those of all poses.
         """
         if k < 1:
             raise InputError(f"the number of modes must be 1 or more, not {k}")
-        found = self._density.modes(self._inputs(z), max(k, MODES), self.agreement)
+        density, inputs = self._density, self._inputs(z)
+        found = density.modes(inputs, max(k, MODES), self.agreement)
         weights, means, variances = calibrated(found[0], self.calibration_exponent), *found[1:]
+        means, variances = bounded(means, variances, density.known(inputs))
         weights, means, variances = weights[:, :k], means[:, :k], variances[:, :k]
         return weights, means * self.scale_ + self.mean_, variances * self.scale_**2
 
@@ -154,6 +163,30 @@ class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
         """Log-likelihood per example, of outputs at unit variance."""
         weights = None if sample_weight is None else np.asarray(sample_weight, dtype=float)
         return float(np.average(self.log_likelihoods(X, y), weights=weights))
+
+    def to_arrays(self) -> State:
+        """Return what predictions need, as arrays and numbers."""
+        check_is_fitted(self)
+        parts: dict[str, State] = {
+            "experts": asdict(self.experts_),
+            "reduction": arrays_of(self.reduction_, _REDUCTION),
+            "shared": self.shared_.to_arrays() if self.shared_ else {},
+        }
+        state = arrays_of(self, _FITTED)
+        for name, part in parts.items():
+            state |= prefixed(name, part)
+        return state
+
+    @classmethod
+    def from_arrays(cls, state: State) -> Self:
+        """Restore a mixture from `to_arrays`."""
+        mixture = estimator_from(cls, state, _FITTED)
+        experts = without_prefix("experts", state)
+        reduction, shared = without_prefix("reduction", state), without_prefix("shared", state)
+        mixture.experts_ = Experts(**{name: np.asarray(value) for name, value in experts.items()})
+        mixture.reduction_ = estimator_from(PoseDirections, reduction, _REDUCTION)
+        mixture.shared_ = SharedRegressor.from_arrays(shared) if shared else None
+        return mixture
 
     @property
     def _density(self) -> ConditionalDensity:

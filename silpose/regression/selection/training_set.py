@@ -38,7 +38,7 @@ class TrainingSet:
         key = tuple(self._split(setting)[0].values())
         if key not in self._systems:
             basis = self._basis(setting).fit(self._z)
-            self._systems[key] = basis, NormalEquations.of(basis.transform(self._z), self._x)
+            self._systems[key] = basis, NormalEquations.of(basis.evaluate(self._z), self._x)
         return self._systems[key]
 
     def forget(self) -> None:
@@ -72,8 +72,8 @@ class TrainingSet:
                 if end is None or {**before, "nu": None} != {**setting, "nu": None}:
                     end = Bridges.start(system)
                 limits = regressor.max_iter, regressor.tol
-                end = minimise_with_bridges(system, end, regressor.nu, *limits)
-                regressor.use_fitted(basis, system, regressor.nu, end)
+                end = minimise_with_bridges(system, end, regressor.first_nu, *limits)
+                regressor.use_fitted(basis, system, regressor.first_nu, end)
             before = setting
             yield regressor
 

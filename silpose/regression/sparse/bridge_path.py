@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from silpose.core.parameters import NOT_NEGATIVE, POSITIVE, POSITIVE_INTEGER, check_values
 from silpose.core.types import Array, Indices
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
@@ -48,8 +49,16 @@ def follow_bridges(
     Returns
     -------
     path : BridgePath
+
+    Raises
+    ------
+    InputError
+        If a parameter cannot be used.
     """
-    system = NormalEquations.of(basis.fit(z).transform(z), x)
+    check_values("nu", POSITIVE, nu)
+    check_values("max_iter", POSITIVE_INTEGER, max_iter)
+    check_values("tol", NOT_NEGATIVE, tol)
+    system = NormalEquations.of(basis.fit(z).evaluate(z), x)
     norms: list[Array] = []
 
     def watch(kept: Indices, scale: Array) -> None:

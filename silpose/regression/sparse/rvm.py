@@ -18,11 +18,17 @@ from silpose.core.parameters import (
     check_parameters,
     one_of,
 )
+from silpose.core.types import Array
+from silpose.regression.automatic import choose
 from silpose.regression.basis import Basis
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 from silpose.regression.sparse.elimination import sparsest_within
 from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
+
+_USUAL = 8.0  # ν where no examples are at hand to choose by
+_SHARE = 0.25  # ν over the sum of outputs' noise: their errors go together
+_LEAST = 1e-6  # ν of outputs without noise
 
 
 class RelevanceVectorRegressor(Regressor):
@@ -37,8 +43,10 @@ class RelevanceVectorRegressor(Regressor):
     prior : {"column", "component"}, default="column"
         R(A) = Σ_k log ‖a_k‖, which selects basis functions for all outputs at once, or
         R(A) = Σ_jk log |A_jk|, which selects for each output on its own.
-    nu : float, default=8.0
-        ν: the larger, the sparser. With `keep_at_most`, where the path begins.
+    nu : float or "auto", default="auto"
+        ν: the larger, the sparser. With `keep_at_most`, where the path begins. "auto" is a share
+        of the noise that ridge regression leaves when examples are left out one at a time; where
+        only normal equations are known, in `fit_system`, it is 8.
     keep_at_most : float or None, default=None
         Share of the basis functions to keep: ν is chosen to keep somewhat more, and the rest
         is removed by backward elimination.
@@ -65,7 +73,7 @@ class RelevanceVectorRegressor(Regressor):
 
     constraints: ClassVar[Constraints] = {
         "prior": one_of("column", "component"),
-        "nu": POSITIVE,
+        "nu": POSITIVE.or_word("auto"),
         "keep_at_most": SHARE.or_none(),
         "max_iter": POSITIVE_INTEGER,
         "tol": NOT_NEGATIVE,
@@ -76,7 +84,7 @@ class RelevanceVectorRegressor(Regressor):
         basis: Basis | None = None,
         *,
         prior: Literal["column", "component"] = "column",
-        nu: float = 8.0,
+        nu: float | Literal["auto"] = "auto",
         keep_at_most: float | None = None,
         max_iter: int = 200,
         tol: float = 1e-2,
@@ -91,34 +99,52 @@ class RelevanceVectorRegressor(Regressor):
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
         """Minimise Eq. 5 for normal equations that are known already."""
         check_parameters(self)
+        self._minimise(basis, system, self.first_nu)
+
+    @property
+    def first_nu(self) -> float:
+        """`nu`, or the usual one where it is "auto" and no examples are at hand to choose by."""
+        return _USUAL if self.nu == "auto" else float(self.nu)
+
+    def _fit_chosen(self, basis: Basis, z: Array, x: Array) -> None:
+        if self.nu != "auto":
+            super()._fit_chosen(basis, z, x)
+            return
+        check_parameters(basis)
+        chosen = choose(basis, z, x)
+        fitted = chosen.basis.fit(z)
+        nu = max(_SHARE * float(chosen.noise.sum()), _LEAST)
+        self._minimise(fitted, NormalEquations.of(fitted.evaluate(z), x), nu)
+
+    def _minimise(self, basis: Basis, system: NormalEquations, nu: float) -> None:
         start = Bridges.start(system)
         if self.keep_at_most is not None:
             if self.prior != "column":
                 raise InputError("keep_at_most needs prior='column': one set of relevance vectors")
             count = max(1, int(self.keep_at_most * basis.size_))
-            found = sparsest_within(system, count, self.nu, start, self.max_iter, self.tol)
+            found = sparsest_within(system, count, nu, start, self.max_iter, self.tol)
             self.use_fitted(basis, system, *found)
             return
         fit = self._columns if self.prior == "column" else self._components
-        self.use_fitted(basis, system, self.nu, fit(system, start))
+        self.use_fitted(basis, system, nu, fit(system, start, nu))
         if not len(self.relevance_):
             warnings.warn(
-                f"nu={self.nu:.3g} removes all basis functions: the mean is predicted",
+                f"nu={nu:.3g} removes all basis functions: the mean is predicted",
                 ConvergenceWarning,
                 stacklevel=3,
             )
 
-    def _columns(self, system: NormalEquations, start: Bridges) -> Bridges:
-        return minimise_with_bridges(system, start, self.nu, self.max_iter, self.tol)
+    def _columns(self, system: NormalEquations, start: Bridges, nu: float) -> Bridges:
+        return minimise_with_bridges(system, start, nu, self.max_iter, self.tol)
 
-    def _components(self, system: NormalEquations, start: Bridges) -> Bridges:
+    def _components(self, system: NormalEquations, start: Bridges, nu: float) -> Bridges:
         """Minimise for each output, and unite the columns that any of them keeps."""
         size, outputs = start.a.shape
         a, damping = np.zeros((size, outputs)), np.full((size, outputs), np.inf)
         steps: list[tuple[int, float]] = []
         for j in range(outputs):
             ridge = Bridges(np.arange(size), start.a[:, [j]], np.zeros(size))
-            end = minimise_with_bridges(system.output(j), ridge, self.nu, self.max_iter, self.tol)
+            end = minimise_with_bridges(system.output(j), ridge, nu, self.max_iter, self.tol)
             a[end.kept, j], damping[end.kept, j] = end.a[:, 0], end.damping
             steps = max(steps, end.history, key=len)
         kept = np.flatnonzero(a.any(axis=1))

@@ -120,3 +120,24 @@ def test_misuse_is_refused(mixture):
         mixture.predict_modes(np.zeros((1, 3)), 0)
     with pytest.raises(NotFittedError):
         MixtureOfRegressors().predict_modes(np.zeros((1, 3)), 1)
+
+
+@pytest.mark.parametrize("outliers", [0.01, 0.0])
+@pytest.mark.parametrize("dimensions", [1, 2, 6])
+def test_far_from_the_data_it_gives_way_to_the_mean_and_its_variance(outliers, dimensions):
+    rng = np.random.default_rng(0)
+    z = rng.random((300, dimensions))
+    x = z[:, 0] + 0.05 * rng.random(300)
+    mixture = MixtureOfRegressors(10, outlier_probability=outliers, hellinger=False).fit(z, x)
+    for distance in (3.0, 30.0, 3e3, 1e8, -3.0, -1e8):
+        far = np.full((1, dimensions), distance)
+        assert abs(mixture.predict(far)[0] - 0.5) < 1.5
+    variances = mixture.predict_modes(np.full((1, dimensions), 3e3), 1)[2]
+    np.testing.assert_allclose(variances, x.var(), rtol=0.01)
+    assert abs(mixture.predict(np.full((1, dimensions), 1e8))[0] - x.mean()) < 0.01
+
+
+def test_few_examples_for_its_components_bring_a_warning():
+    z = np.random.default_rng(0).random((100, 5))
+    with pytest.warns(UserWarning, match="100 examples are few for clusters=60"):
+        MixtureOfRegressors().fit(z, z[:, 0])

@@ -39,7 +39,7 @@ def test_created_estimators_are_clones(candidates):
     created = candidates.create(nu=2.0)
     assert created is not candidates.estimator
     assert (created.nu, created.tol) == (2.0, 0.1)
-    assert candidates.estimator.nu == 8.0
+    assert candidates.estimator.nu == "auto"
 
 
 def test_parameters_that_are_given_are_no_longer_chosen(candidates):
@@ -57,8 +57,8 @@ def test_array_parameters_are_kept():
 @pytest.mark.parametrize(
     ("grid", "message"),
     [
-        ({"damping": [0.1, -1.0]}, "damping must be positive, not -1.0"),
-        ({"damping": ["much"]}, "damping must be positive, not 'much'"),
+        ({"damping": [0.1, -1.0]}, "damping must be positive or 'auto', not -1.0"),
+        ({"damping": ["much"]}, "damping must be positive or 'auto', not 'much'"),
         ({"damping": []}, "damping must be a list of one value or more"),
         ({"damping": "0.1"}, "damping must be a list of one value or more, not '0.1'"),
         ({"dampin": [0.1]}, "RidgeRegressor has no parameter 'dampin'; it has basis, damping"),
@@ -70,5 +70,5 @@ def test_wrong_grids_are_refused_at_once(grid, message):
 
 
 def test_wrong_parameters_are_refused_at_once():
-    with pytest.raises(InputError, match="width must be positive, not 0"):
+    with pytest.raises(InputError, match="width must be positive or 'auto', not 0"):
         Candidates(Basis(width=0))

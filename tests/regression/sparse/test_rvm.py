@@ -99,7 +99,7 @@ def test_componentwise_priors_select_for_each_output():
     linear = Basis(None, linear=True, hellinger=False)
     own = RelevanceVectorRegressor(linear, prior="component", nu=1.0).fit(z, x)
     np.testing.assert_array_equal(own.relevance_, [2, 5, 8])
-    np.testing.assert_array_equal(own.coef_ != 0, [[1, 0, 1], [0, 1, 0], [0, 0, 1]])
+    np.testing.assert_array_equal(own.weights_ != 0, [[1, 0, 1], [0, 1, 0], [0, 0, 1]])
     with pytest.raises(InputError, match="keep_at_most needs"):
         RelevanceVectorRegressor(linear, prior="component", keep_at_most=0.5).fit(z, x)
     with pytest.raises(InputError, match="prior must be one of 'column', 'component', not 'row'"):

@@ -1,0 +1,35 @@
+"""Mean and standard deviation of outputs, and which outputs are constant."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from silpose.core.types import Array
+
+_ROUNDING = 16 * np.finfo(float).eps  # of the largest value: what rounding leaves of a constant
+_NEGLIGIBLE = 1e-13  # of the largest deviation: what rounding leaves of a transformed constant
+
+
+def scales_of(outputs: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Return the means, scales and whether each output varies.
+
+    An output counts as constant where no more than rounding is left of its deviation: the
+    rounding of its own values, whatever their unit and offset, or that of outputs that vary
+    10^13 times as much and from which it may have been computed.
+
+    Parameters
+    ----------
+    outputs : ndarray, shape (n, m)
+
+    Returns
+    -------
+    mean, scale : ndarray, shape (m,)
+        Scales are standard deviations; 1 for constant outputs.
+    varies : ndarray of bool, shape (m,)
+    """
+    mean, deviation = outputs.mean(axis=0), outputs.std(axis=0)
+    # The range is exact; a deviation from a rounded mean is not.
+    varies = np.ptp(outputs, axis=0) > _ROUNDING * np.abs(outputs).max(axis=0)
+    varies &= deviation > _NEGLIGIBLE * deviation.max(initial=0.0)
+    return mean, np.where(varies, deviation, 1.0), varies
