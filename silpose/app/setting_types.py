@@ -87,7 +87,8 @@ class SettingType:
         """Describe the values, to follow "must be"."""
         words = [_WORDS[kind] for kind in self.scalars]
         if self.choices:
-            words.append(f"one of {', '.join(map(str, self.choices))}")
+            listed = ", ".join(map(str, self.choices))
+            words.append(listed if len(self.choices) == 1 else f"one of {listed}")
         if self.items is not None:
             kinds = [_PLURALS[kind] for kind in self.items.scalars] or list(self.items.choices)
             words.append(f"a list of {' or '.join(kinds) or 'lists'}")

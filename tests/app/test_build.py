@@ -33,10 +33,10 @@ def test_a_wrong_name_type_or_value_is_named_in_full(settings, words):
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ([1, "a"], r"'regression\.rvm\.nu' must be a number, not 'a'"),
-        ([], r"'regression\.rvm\.nu' must be a number, not \[\]"),
-        (-1, r"regression\.rvm\.nu must be positive, not -1"),
-        ([1, -1], r"regression\.rvm\.nu must be positive, not -1"),
+        ([1, "a"], r"'regression\.rvm\.nu' must be a number or auto, not 'a'"),
+        ([], r"'regression\.rvm\.nu' must be a number or auto, not \[\]"),
+        (-1, r"regression\.rvm\.nu must be positive or 'auto', not -1"),
+        ([1, -1], r"regression\.rvm\.nu must be positive or 'auto', not -1"),
     ],
 )
 def test_values_to_choose_from_are_checked_each(values, words):

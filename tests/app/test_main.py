@@ -134,7 +134,7 @@ WRONG = {
     "motion=bvh motion.root=x motion.rot=y": "did you mean 'motion.root'?",
     "descriptor.edge_points=many": "'descriptor.edge_points' must be an integer",
     "descriptor.kind=hog": "no 'descriptor.kind=hog'",
-    "regression.rvm.nu=-1": "regression.rvm.nu must be positive, not -1",
+    "regression.rvm.nu=-1": "regression.rvm.nu must be positive or 'auto', not -1",
     "methods=[ridge,foo]": "no method 'foo'",
     "show=knn": "show=knn is none of the methods",
     "dataset.test=[zzz]": "no take matches 'zzz' in dataset.test",

@@ -8,7 +8,7 @@ from silpose.core.errors import InputError
 def test_values_are_those_of_the_overrides():
     given = plain(load(["regression.ridge.damping=[1,2]", "motion=bvh"]))
     (row,) = tables("regression.ridge", given)["regression.ridge"]
-    assert row[:3] == ("damping", "[1, 2]", "a number")
+    assert row[:3] == ("damping", "[1, 2]", "a number or auto")
     assert row[3]
     assert tables("motion", given)["motion"][0][:2] == ("root", "(must be given)")
 
