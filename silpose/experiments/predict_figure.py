@@ -9,7 +9,8 @@ from matplotlib.figure import Figure
 
 from silpose.core.types import Array, Mask
 from silpose.experiments.figures import draw_silhouette, draw_skeleton
-from silpose.model import DOUBTFUL, Poses, PredictionDetails, joints_in_image
+from silpose.fitting import DOUBTFUL
+from silpose.model import Poses, PredictionDetails, joints_in_image
 from silpose.recording import palette
 
 _COLUMNS, _ROWS = 8, 3  # at most so many masks are drawn

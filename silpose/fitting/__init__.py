@@ -1,7 +1,7 @@
 """Fit the body to the contour of a mask, started and held by an estimated pose."""
 
 from silpose.fitting.body_fitter import BodyFitter, Knowledge
-from silpose.fitting.confidence import Confidence
+from silpose.fitting.confidence import DOUBTFUL, Confidence
 from silpose.fitting.contour import contour_of
 from silpose.fitting.evidence import EVIDENCE
 from silpose.fitting.fit import Fit
@@ -14,6 +14,7 @@ from silpose.fitting.stream import TOLERATED, FitterStream
 from silpose.fitting.trace import Trace, trace_frame
 
 __all__ = [
+    "DOUBTFUL",
     "EVIDENCE",
     "TOLERATED",
     "BodyFitter",

@@ -13,7 +13,7 @@ from silpose.core.types import Array
 from silpose.fitting.evidence import EVIDENCE
 
 DOUBTFUL = 0.5
-"""Confidence below which a fit is poor."""
+"""Confidence below which a pose is doubtful, and a fit poor."""
 
 _WEIGHTS = (1.98, -0.41, -1.46, -1.31, -0.28, 1.41, -0.31, -0.21, 0.0, -0.56)
 _STRENGTH = 0.5  # of what holds learned weights near those that are expected

@@ -14,14 +14,13 @@ from silpose.model.pose_fitter import PoseFitter
 from silpose.model.pose_model import PoseModel
 from silpose.model.pose_stream import PoseStream
 from silpose.model.pose_table import pose_columns, pose_csv
-from silpose.model.poses import DOUBTFUL, Poses
+from silpose.model.poses import Poses
 from silpose.model.prediction_details import PredictionDetails
 from silpose.model.tracker_training import TrackerTraining
 from silpose.model.training import DescribedDataset, compare, describe_dataset
 from silpose.model.trees import predict_tree
 
 __all__ = [
-    "DOUBTFUL",
     "DescribedDataset",
     "Descriptor",
     "DescriptorCache",

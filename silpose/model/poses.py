@@ -15,12 +15,10 @@ from silpose.core.errors import InputError
 from silpose.core.pose_space import PoseSpace
 from silpose.core.skeleton import standing_height
 from silpose.core.types import Array
+from silpose.fitting import DOUBTFUL
 from silpose.motion import Motion, save_bvh
 from silpose.silhouette.person import MaskFacts
 from silpose.tracking import Track
-
-DOUBTFUL = 0.5
-"""Confidence below which a pose is doubtful."""
 
 _UNEVEN = 0.2  # share of an interval by which even times may be off
 _SUCCESS = {"tracking": "tracking", "recovered": "tracking", "fitted": "fitted"}

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
+from silpose.fitting import DOUBTFUL
 from silpose.model.pose_table import pose_columns, pose_csv
-from silpose.model.poses import DOUBTFUL, Poses
+from silpose.model.poses import Poses
 
 _TRACKING = ("tracking", "recovered")
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from silpose.core.atomic_files import writing
+from silpose.core.csv_text import csv_text
 from silpose.core.errors import InputError
 from silpose.model.trees.take_table import COUNTS
 
@@ -73,7 +74,7 @@ class TreeIndex:
         text = {name: str(row.get(name, "")) for name in COLUMNS}
         self.rows[text["take"]] = text
         with (self.folder / INDEX).open("a", newline="", encoding="utf-8") as file:
-            file.write(_line([text[name] for name in COLUMNS]))
+            file.write(csv_text([[text[name] for name in COLUMNS]]))
 
     def is_done(self, take: str, changed: int) -> bool:
         """Whether a take's table is finished, and its source has not changed since."""
@@ -108,8 +109,7 @@ class TreeIndex:
             writing(self.folder / INDEX) as path,
             path.open("w", newline="", encoding="utf-8") as file,
         ):
-            file.write(_line(names))
-            file.writelines(_line([row[name] for name in names]) for row in rows)
+            file.write(csv_text([names, *([row[name] for name in names] for row in rows)]))
 
 
 def _check_same(folder: Path, known: Mapping[str, object], wanted: Mapping[str, object]) -> None:
@@ -121,12 +121,6 @@ def _check_same(folder: Path, known: Mapping[str, object], wanted: Mapping[str, 
             f"'{folder}' holds poses made with another {name}{change}: choose another folder by "
             "into=FOLDER, or remove it"
         )
-
-
-def _line(values: list[str]) -> str:
-    buffer = io.StringIO()
-    csv.writer(buffer, lineterminator="\n").writerow(values)
-    return buffer.getvalue()
 
 
 def _read(file: Path) -> dict[str, dict[str, str]]:
