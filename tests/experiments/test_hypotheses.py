@@ -57,6 +57,7 @@ def test_the_saved_model_tracks_from_a_blank_mask_on(hypotheses):
     assert model.predict(masks, blank="nan", fit=True).state[0] == "blank"
 
 
+@pytest.mark.slow
 def test_on_the_authors_data_hypotheses_need_no_start(run, authors):
     mixture = MixtureOfRegressors(
         60,

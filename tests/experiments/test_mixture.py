@@ -51,6 +51,7 @@ def test_without_components_gaussian_mixture_regression_is_left_out(run, walkers
     assert not any(method.startswith("gmr") for method in metrics)
 
 
+@pytest.mark.slow
 def test_on_the_authors_data_the_mixture_reaches_what_is_claimed(run, authors):
     chosen = MixtureOfRegressors(  # what validation chooses
         60,

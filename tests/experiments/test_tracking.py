@@ -59,6 +59,7 @@ def test_the_saved_model_fits_from_the_trackers_poses(tracking, sequence):
     assert live.x.shape == (1, 55) and live.state[0] in ("starting", "tracking")
 
 
+@pytest.mark.slow
 def test_on_the_authors_data_the_trackers_reach_what_is_claimed(run, authors):
     tracker = BeliefTracker(pose_width=0.3, descriptor_width=2, damping=4)
     components = with_tracking(authors, tracker=Candidates(tracker))
@@ -70,6 +71,7 @@ def test_on_the_authors_data_the_trackers_reach_what_is_claimed(run, authors):
     assert off["tracker_lag"] < off["ridge"] / 3
 
 
+@pytest.mark.slow
 def test_on_a_real_performer_the_trackers_reach_what_is_claimed(run, shared_mocap):
     source = MotionFolder(shared_mocap / "snu")
     camera = Camera(width=256, height=256)

@@ -157,7 +157,6 @@ def test_a_tree_without_takes_says_what_is_expected(small_model, tree, tmp_path)
         predict_tree(small_model, tree, pattern="subject/view")
 
 
-@pytest.mark.slow
 def test_several_processes_give_the_same(small_model, tree, tmp_path, monkeypatch):
     alone = predict_tree(small_model, tree, tmp_path / "alone")
     monkeypatch.setattr("silpose.model.trees.tree_prediction._FEW", 0)

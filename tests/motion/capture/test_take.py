@@ -259,8 +259,7 @@ def test_no_walk_is_silently_wrong(tmp_path, walk, mirror):
     read_rightly_or_refused(tmp_path, walk, mirror)
 
 
-@pytest.mark.slow
-@pytest.mark.skipif("not config.getoption('-m')", reason="half an hour: pytest -m slow -k walk")
+@pytest.mark.long  # half an hour
 @settings(max_examples=10_000, **FUZZ)
 @given(walk=WALKS, mirror=st.booleans())
 def test_none_of_ten_thousand_walks_is_silently_wrong(tmp_path, walk, mirror):

@@ -40,6 +40,7 @@ def read(address, **headers):
         return answer.read()
 
 
+@pytest.mark.slow
 def test_a_run_is_drawn_in_the_browser(address, tmp_path):
     (link,) = re.findall(r'href="([^"]+run\.rrd)"', read(address).decode())
     with browsing(unescape(link) + "&renderer=webgl", tmp_path) as shoot:
