@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
 from omegaconf import DictConfig
@@ -12,10 +13,11 @@ from silpose.app.config import plain
 from silpose.app.registry import COMPONENTS
 from silpose.dataset import Renderer
 from silpose.experiments.setup import Components
-from silpose.model import DescriptorCache
+from silpose.model import DescriptorCache, digest
 from silpose.motion import MotionSource
 
 _RENDERED_WITH = ("body", "camera", "scenes", "degradation")
+_TRAINED_BY = ("motion", "descriptor", "regression", "tracking", "fitting", "seed")
 _DESCRIBED_BY = ("motion", "silhouette", "dataset", "descriptor", "seed")
 
 
@@ -43,6 +45,9 @@ def build_components(settings: DictConfig) -> Components:
     rendered = {n: build(f"silhouette.{n}", silhouette.pop(n, {})) for n in _RENDERED_WITH}
     source = build_alternative("motion", given["motion"])
     split = build_alternative("dataset", dataset)
+    video = partial(build, "silhouette.video", silhouette.pop("video", {}))
+    trained_by = {name: given[name] for name in _TRAINED_BY} | {"dataset": dict(dataset)}
+    trained_by["silhouette"] = {name: given["silhouette"][name] for name in _RENDERED_WITH}
     return Components(
         dataset=split,
         renderer=Renderer(source, **rendered),
@@ -53,6 +58,8 @@ def build_components(settings: DictConfig) -> Components:
         tracking=_group_of_candidates("tracking", given["tracking"]),
         fitting=build("fitting", given["fitting"]),
         seed=given["seed"],
+        video=video,
+        trained_by=lambda: digest(trained_by, source.files()),
         cache=build("dataset", kept, source=source, described=described),
     )
 

@@ -71,6 +71,9 @@ COMPONENTS: dict[str, Component] = {
     "silhouette.camera": Component("silpose.silhouette:Camera"),
     "silhouette.scenes": Component("silpose.dataset:SceneSampler"),
     "silhouette.degradation": Component("silpose.silhouette:Degradation"),
+    "silhouette.video": Component(
+        "silpose.silhouette.video:VideoMasks", ("source", "person", "frames_per_second")
+    ),
     "regression": Component("silpose.regression:RegressionCandidates"),
     "regression.basis": _candidates("silpose.regression:Basis"),
     "regression.ridge": _candidates("silpose.regression:RidgeRegressor"),

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
 from joblib import parallel_config
 from omegaconf import DictConfig, OmegaConf
@@ -67,10 +68,12 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
     options = build("", {key: given.pop(key) for key in COMPONENTS[""].settings if key in given})
     own = {key: value for key, value in given.items() if key not in _GROUPS}
     components = build_components(settings)
-    job = prepare_call(experiment(name), "", own, components=components)
+    prepared = partial(prepare_call, experiment(name), "", own)
+    prepared(components=components)  # refuses wrong settings before there is a folder
     text = OmegaConf.to_yaml(settings, resolve=True)
     folder = build("recording", given["recording"], experiment=name, settings=text)
     try:
+        job = prepared(components=replace(components, run=folder))
         with timing() as seconds, parallel_config(n_jobs=options.n_jobs):
             result = job()
             write_result(folder, result, options.seed, seconds)

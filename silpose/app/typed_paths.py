@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 PATHS = (
     *("silhouette.source", "model", "motion.root", "dataset.path", "dataset.cache"),
-    *("recording.root", "into", "pattern"),
+    *("recording.root", "into", "pattern", "cache"),
+    *("silhouette.video.background", "silhouette.video.environment"),
 )
 """Settings that are paths."""
 

@@ -42,6 +42,11 @@ EXPERIMENT_VERBS = {
         ("experiment=predict", "silhouette=masks"),
         "silhouette.source",
     ),
+    "video": Verb(
+        "poses and gait of a person in a film, a folder of pictures, from a camera or a stream",
+        ("experiment=video",),
+        "silhouette.source",
+    ),
     "masks": Verb(
         "how masks are read, and what is in them",
         ("experiment=masks", "silhouette=masks", "recording=none"),
@@ -64,7 +69,7 @@ def overrides_of(verb: str, arguments: Sequence[str]) -> list[str]:
     if not arguments:
         raise InputError(f"'{verb}' needs a path: {usage(verb)}")
     path, *rest = arguments
-    if "=" in path and not Path(path).exists():
+    if "=" in path and "://" not in path and not Path(path).exists():
         raise InputError(f"there is no file '{path}'; the path comes first: {usage(verb)}")
     if rest and "=" not in rest[0] and Path(rest[0]).exists():
         raise InputError(

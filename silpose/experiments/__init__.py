@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from silpose.recording import Result
 
 NAMES = (
-    *("single_image", "predict", "masks", "motion_report", "contact_sheet"),
+    *("single_image", "predict", "video", "masks", "motion_report", "contact_sheet"),
     *("lookalikes", "training_data"),
     *("descriptor_space", "similarity", "descriptor_robustness", "descriptor_choices"),
     *("bridges", "parts", "feature_selection", "regressors"),

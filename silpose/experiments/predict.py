@@ -69,6 +69,11 @@ def predict(
     own = components.masks
     if own.source is None:
         raise InputError("there are no masks: add silhouette=masks silhouette.source=FOLDER")
+    if own.body_height is not None or own.focal_length is not None:
+        raise InputError(
+            "silhouette.body_height and silhouette.focal_length are of films: leave them out, or "
+            f"type silpose video {own.source}"
+        )
     source = own.source
     several = pattern is not None or is_tree(source)
     known = load(model) if model else None
@@ -144,8 +149,7 @@ def _read(own: MaskSource, judge: bool) -> MaskSequence:
 @timed("descriptors")
 def _explain(model: PoseModel, masks: MaskSequence, own: MaskSource) -> PredictionDetails:
     """Describe the masks."""
-    options = {name: value for name, value in vars(own).items() if name != "source"}
-    return model.explain(masks, **options)
+    return model.explain(masks, **own.reading)
 
 
 @timed("prediction")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from silpose.core.errors import InputError
@@ -18,9 +18,11 @@ from silpose.model import (
     TrackerTraining,
     describe_dataset,
 )
+from silpose.recording import RunFolder
 from silpose.regression import RegressionCandidates, Regressor
 from silpose.silhouette import Camera
 from silpose.silhouette.masks import MaskSource
+from silpose.silhouette.video import VideoMasks
 from silpose.tracking import Tracker, TrackingCandidates
 
 MODES_SHOWN = 4
@@ -52,6 +54,12 @@ class Components:
     seed : int
     cache : DescriptorCache or None
         Holds descriptors from one run to the next.
+    video : callable
+        Makes a `VideoMasks` of its settings, given source, person and frames_per_second.
+    trained_by : callable
+        Gives a name to all settings that a model's training depends on.
+    run : RunFolder or None
+        Folder of the run, for what is recorded while it goes on.
     """
 
     dataset: DatasetSource
@@ -64,6 +72,9 @@ class Components:
     fitting: FittingOptions = field(default_factory=FittingOptions)
     seed: int = 0
     cache: DescriptorCache | None = None
+    video: Callable[..., VideoMasks] = VideoMasks
+    trained_by: Callable[[], str] = str
+    run: RunFolder | None = None
 
     def load(self) -> Dataset:
         """Render or read the dataset."""

@@ -5,7 +5,13 @@ from silpose.fitting.confidence import DOUBTFUL, Confidence
 from silpose.fitting.contour import contour_of
 from silpose.fitting.evidence import EVIDENCE
 from silpose.fitting.fit import Fit
-from silpose.fitting.fitted_body import fitted_silhouettes, overlap_classes
+from silpose.fitting.fitted_body import (
+    fitted_joints,
+    fitted_silhouettes,
+    overlap_classes,
+    standing_body_height,
+)
+from silpose.fitting.geometry import SHAPES
 from silpose.fitting.matching import Matching
 from silpose.fitting.options import FittingOptions
 from silpose.fitting.overlap import overlap
@@ -16,6 +22,7 @@ from silpose.fitting.trace import Trace, trace_frame
 __all__ = [
     "DOUBTFUL",
     "EVIDENCE",
+    "SHAPES",
     "TOLERATED",
     "BodyFitter",
     "Confidence",
@@ -27,8 +34,10 @@ __all__ = [
     "PosePrior",
     "Trace",
     "contour_of",
+    "fitted_joints",
     "fitted_silhouettes",
     "overlap",
     "overlap_classes",
+    "standing_body_height",
     "trace_frame",
 ]

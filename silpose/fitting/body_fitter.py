@@ -186,7 +186,7 @@ def _outline_error(problem: Problem, fit: Fit) -> float:
 def _parameters_of(start: ArrayLike, others: ArrayLike | None, free: int) -> Array:
     """Parameters (F, 1 + S, 54 + free) of poses."""
     poses = np.asarray(start, dtype=float)[:, None]
-    if others is not None:
+    if others is not None and np.shape(others)[1]:
         poses = np.concatenate([poses, np.asarray(others, dtype=float)], axis=1)
         without = ~np.isfinite(poses[:, 0, 0])
         poses[without, 0] = poses[without, 1]

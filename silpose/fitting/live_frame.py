@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from silpose.core.pose_space import ANGLES as SPACE
 from silpose.core.types import Array, Mask
 from silpose.fitting.contour import Contour
-from silpose.fitting.parameters import ANGLES
+from silpose.fitting.parameters import ANGLES, LOG_SCALE, SHIFT_X, SHIFT_Y
 from silpose.fitting.working_size import WorkingSize
 
 
@@ -64,6 +64,13 @@ class End(NamedTuple):
     precision: Array
     iou: float
     anew: bool
+
+    def placed(self, factor: float) -> tuple[Array, float]:
+        """Shift of the image, in pixels that contours have `factor` times, and its scale."""
+        if len(self.parameters) == ANGLES:
+            return np.zeros(2), 1.0
+        shift = self.parameters[[SHIFT_X, SHIFT_Y]] / factor
+        return shift, float(np.exp(self.parameters[LOG_SCALE]))
 
     def covariance(self, before: Array | None, contour_news: float, estimate_news: float) -> Array:
         """Find the covariance of the angles, radians².

@@ -70,6 +70,8 @@ class FitterStream:
         Probability that the last pose is right, as `Fit.confidence`; 0 where nothing was fitted.
     evidence : ndarray, shape (9,)
         What it is read from, see `EVIDENCE`; NaN where nothing was fitted.
+    shift, scale : ndarray, shape (2,), and float
+        Of the image, as of `Fit`; NaN where nothing was fitted.
     """
 
     def __init__(
@@ -145,12 +147,14 @@ class FitterStream:
         if end is None:
             self._forget()
             self._miss()
-            return self._held(), self._state
+            held = np.full(ANGLES, np.nan) if self._expected is None else self._expected.fitted
+            return SPACE.from_angles(np.rad2deg(held)), self._state
         before = None if self._expected is None else self._expected.precision
         covariance = end.covariance(before, self._contour_news, self._estimate_news)
         self.iou, self.covariance = end.iou, np.rad2deg(np.rad2deg(covariance))
         self.evidence = self._evidence(end, covariance, seen)
         self.confidence = float(self._sure.of(self.evidence[None])[0])
+        self.shift, self.scale = end.placed(self._working.factor)
         if self.confidence >= DOUBTFUL:
             self._follow(end, covariance)
         else:
@@ -228,6 +232,7 @@ class FitterStream:
     def _forget(self) -> None:
         self.iou, self.covariance = np.nan, np.full((ANGLES, ANGLES), np.nan)
         self.confidence, self.evidence = 0.0, np.full(len(EVIDENCE), np.nan)
+        self.shift, self.scale = np.full(2, np.nan), np.nan
 
     def _follow(self, end: End, covariance: Array) -> None:
         parameters = end.parameters
@@ -242,8 +247,3 @@ class FitterStream:
         self.skip(1)
         if self._state != "starting":
             self._state = "lost"
-
-    def _held(self) -> Array:
-        if self._expected is None:
-            return np.full(ANGLES + 1, np.nan)
-        return SPACE.from_angles(np.rad2deg(self._expected.fitted))

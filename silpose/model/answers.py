@@ -99,8 +99,9 @@ def fitted(model: PoseModel, fitter: PoseFitter, details: PredictionDetails) -> 
     masks = [m if own else np.zeros_like(m) for m, own in zip(details.masks, seen, strict=True)]
     fit = fitter.fit(masks, details.z, details.x, tracked=followed, frames_per_second=rate)
     poses = Poses(
-        fit.x, model.space, fit.confidence, fit.state, time, iou=fit.iou, facts=details.facts
-    )
+        fit.x, model.space, fit.confidence, fit.state, time, iou=fit.iou, facts=details.facts,
+        fit=fit,
+    )  # fmt: skip
     return _said_if_doubtful(poses, details.source)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -94,7 +94,7 @@ def mask_options(
     blank: str, frames_per_second: float | None, options: Mapping[str, Any]
 ) -> MaskSource:
     """Collect how masks are read; an `InputError` names an option that there is none of."""
-    known = [field.name for field in fields(MaskSource) if field.name != "source"]
+    known = MaskSource().reading
     for name in options:
         if name not in known:
             raise InputError(f"there is no option '{name}': give one of {', '.join(known)}")

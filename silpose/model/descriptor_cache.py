@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,8 +13,10 @@ from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
 from silpose.core.types import Array
 from silpose.descriptor import ShapeContextHistogram
+from silpose.model.digest import digest
 
-_FORMAT = 2  # to be raised when masks or descriptors change for the same settings
+DESCRIPTORS = 2
+"""To be raised when masks or descriptors change for the same settings."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,7 @@ class DescriptorCache:
         files : iterable of Path
             Files that masks are made from.
         """
-        stats = [(str(f), f.stat().st_size, f.stat().st_mtime_ns) for f in files]
-        key = json.dumps([_FORMAT, settings, stats], sort_keys=True)
-        return cls(Path(folder) / f"{hashlib.sha256(key.encode()).hexdigest()[:20]}.npz")
+        return cls(Path(folder) / f"{digest([DESCRIPTORS, settings], files)}.npz")
 
     def fetch(self, lengths: Sequence[int]) -> tuple[ShapeContextHistogram, list[Array]] | None:
         """Read the cache.

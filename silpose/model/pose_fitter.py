@@ -98,7 +98,7 @@ class PoseFitter:
         mean = np.asarray(x)
         if tracked is not None:
             others, mean = np.concatenate([mean[:, None], others], axis=1), tracked
-        return self._for_size(sizes[0], tracked is not None).fit(
+        return self.for_size(sizes[0], tracked is not None).fit(
             masks, mean, others=others, roots=roots, frames_per_second=frames_per_second
         )
 
@@ -119,7 +119,7 @@ class PoseFitter:
         -------
         stream : FitterStream
         """
-        return FitterStream(self._for_size(shape, tracked), frames_per_second=frames_per_second)
+        return FitterStream(self.for_size(shape, tracked), frames_per_second=frames_per_second)
 
     def with_options(self, options: FittingOptions) -> Self:
         """Fit with other knowledge, and from other starts, than in training."""
@@ -134,11 +134,16 @@ class PoseFitter:
         tracked = self.tracked_prior and over_time(self.tracked_prior)
         return replace(self, fitter=changed, starts=options.starts, tracked_prior=tracked)
 
-    @cached_property
-    def _neighbours(self) -> DistinctNeighbours:
-        return DistinctNeighbours(self.z, self.x, ANGLES.distance)
+    def for_size(self, shape: tuple[int, ...], tracked: bool = False) -> BodyFitter:
+        """Create the fitter of masks of one size.
 
-    def _for_size(self, shape: tuple[int, ...], tracked: bool) -> BodyFitter:
+        Parameters
+        ----------
+        shape : tuple of int
+            Height and width of the masks.
+        tracked : bool, default=False
+            Whether fits start from a tracker's estimates.
+        """
         sure = replace(self.fitter.confidence, usual_iou=self.usual_iou)
         fitter = replace(self.fitter, confidence=sure)
         if tracked and self.tracked_prior is not None:
@@ -147,6 +152,10 @@ class PoseFitter:
         if (height, width) == (fitter.camera.height, fitter.camera.width):
             return fitter
         return replace(fitter, camera=replace(fitter.camera, height=height, width=width))
+
+    @cached_property
+    def _neighbours(self) -> DistinctNeighbours:
+        return DistinctNeighbours(self.z, self.x, ANGLES.distance)
 
     def to_arrays(self) -> State:
         """Return everything as arrays, numbers and strings."""

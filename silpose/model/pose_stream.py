@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from silpose.core.types import Array, Mask
-from silpose.fitting import FitterStream
+from silpose.fitting import SHAPES, Fit, FitterStream
 from silpose.model.answers import confidence_of, warn_without_calibration
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.poses import Poses
@@ -115,6 +115,15 @@ class PoseStream:
         elif (missed := round(passed / self._interval) - 1) > 0:
             self._fitting.skip(missed)
         fitted, state = self._fitting.step(mask, x)
-        confidence, iou = np.array([self._fitting.confidence]), np.array([self._fitting.iou])
-        own = fitted[None], self._model.space, confidence, [state]
-        return Poses(*own, np.array([self._time]), iou=iou, facts=facts)
+        fit = _last_fit(self._fitting, fitted, state, self._fitter.fitter.camera.elevation)
+        own = fitted[None], self._model.space, fit.confidence, [state]
+        return Poses(*own, np.array([self._time]), iou=fit.iou, facts=facts, fit=fit)
+
+
+def _last_fit(stream: FitterStream, x: Array, state: str, elevation: float) -> Fit:
+    """Collect what a stream knows of its last frame."""
+    return Fit(
+        x[None], stream.covariance[None], np.array([stream.iou]), np.array([stream.confidence]),
+        [state], stream.shift[None], np.array([stream.scale]), elevation, np.zeros(SHAPES),
+        x[None, None], np.ones((1, 1)), stream.evidence[None],
+    )  # fmt: skip

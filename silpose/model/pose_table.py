@@ -51,9 +51,13 @@ def pose_columns(poses: Poses, names: Sequence[str]) -> Mapping[str, Column]:
 
 def pose_csv(poses: Poses, names: Sequence[str]) -> str:
     """Write poses as CSV, a line per mask; columns as `pose_columns`, numbers with six digits."""
-    columns = pose_columns(poses, names)
+    return columns_csv(pose_columns(poses, names), ("frame", "file", "time"))
+
+
+def columns_csv(columns: Mapping[str, Column], first: Sequence[str]) -> str:
+    """Write columns as CSV: the first ones, then those of words, then those of numbers."""
     words = [name for name, column in columns.items() if not _is_float(column)]
-    titles = ["frame", "file", "time", *words[2:]]
+    titles = [*first, *(name for name in words if name not in first)]
     numbers = [name for name in columns if name not in titles]
     values = np.column_stack([np.asarray(columns[name]) for name in numbers]).tolist()
     spelled = ",".join(["%.6g"] * len(numbers))

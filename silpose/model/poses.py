@@ -15,7 +15,7 @@ from silpose.core.errors import InputError
 from silpose.core.pose_space import PoseSpace
 from silpose.core.skeleton import standing_height
 from silpose.core.types import Array
-from silpose.fitting import DOUBTFUL
+from silpose.fitting import DOUBTFUL, Fit
 from silpose.motion import Motion, save_bvh
 from silpose.silhouette.person import MaskFacts
 from silpose.tracking import Track
@@ -50,6 +50,8 @@ class Poses:
         What was seen in each mask; None where poses were estimated from descriptors.
     track : Track or None, default=None
         Where poses were tracked, the track at the tracker's own rate, with beliefs or modes.
+    fit : Fit or None, default=None
+        Where the body was fitted, the fit: covariances, and where the camera sees which body.
     """
 
     x: Array
@@ -60,6 +62,7 @@ class Poses:
     iou: Array | None = None
     facts: MaskFacts | None = None
     track: Track | None = None
+    fit: Fit | None = None
 
     def __len__(self) -> int:
         return len(self.x)
@@ -135,7 +138,7 @@ class Poses:
         Returns
         -------
         poses : Poses
-            Without tracks.
+            Without tracks and fits.
 
         Raises
         ------
@@ -156,8 +159,15 @@ class Poses:
             facts=type(facts[0]).concatenate(facts) if len(facts) == len(parts) else None,
         )
 
-    def save_bvh(self, file: str | Path, frames_per_second: float | None = None) -> None:
-        """Write the poses as BVH, standing on one spot.
+    def save_bvh(
+        self,
+        file: str | Path,
+        frames_per_second: float | None = None,
+        *,
+        path: Array | None = None,
+        scale: float = 1.0,
+    ) -> None:
+        """Write the poses as BVH, by default standing on one spot.
 
         Parameters
         ----------
@@ -165,6 +175,10 @@ class Poses:
         frames_per_second : float, optional
             Rate at which the frames follow each other in the file; by default that of their times,
             to which frames at uneven times are interpolated.
+        path : ndarray, shape (F, 3), optional
+            Places of the root, metres, +Y up.
+        scale : float, default=1.0
+            Size of the person over that of the skeleton.
 
         Raises
         ------
@@ -175,15 +189,17 @@ class Poses:
         -----
         A frame of NaN repeats the one before.
         """
-        x, rate = self.x, frames_per_second
+        x, rate, root = self.x, frames_per_second, path
         if rate is None:
             if len(self) < 2:
                 raise InputError("a single pose has no frame rate: give frames_per_second=15")
             rate = self.frames_per_second
             x = _evenly(self.x, self.time, rate)
-        root = np.zeros((len(x), 3))
-        root[:, 1] = standing_height(self.space.rotations(np.nan_to_num(x)))
-        save_bvh(file, Motion("poses", "unknown", rate, self.space.angles(x), root))
+            root = None if path is None else _evenly(path, self.time, rate)
+        if root is None:
+            root = np.zeros((len(x), 3))
+            root[:, 1] = scale * standing_height(self.space.rotations(np.nan_to_num(x)))
+        save_bvh(file, Motion("poses", "unknown", rate, self.space.angles(x), root), scale)
 
 
 def _counted(count: int, word: str) -> str:
@@ -200,7 +216,7 @@ def _joined(parts: Sequence[Array], wanted: int) -> Array | None:
 
 
 def _evenly(x: Array, time: Array, rate: float) -> Array:
-    """Interpolate poses (F, D) to even times, where they are not at even times already."""
+    """Interpolate rows (F, D) to even times, where they are not at even times already."""
     steps = (time - time[0]) * rate
     if np.abs(steps - np.arange(len(steps))).max() < _UNEVEN:
         return x

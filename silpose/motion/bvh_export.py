@@ -18,7 +18,7 @@ _SPINE = ("spine_1", "spine_2", "chest")  # each turns a third of the chest's ro
 _CHANNELS = "ZYX"
 
 
-def save_bvh(file: str | Path, motion: Motion) -> None:
+def save_bvh(file: str | Path, motion: Motion, scale: float = 1.0) -> None:
     """Write a motion as BVH: the skeleton's joints by their names, metres, +Y up.
 
     Parameters
@@ -28,6 +28,8 @@ def save_bvh(file: str | Path, motion: Motion) -> None:
     motion : Motion
         A frame of NaN, where a track has no pose, repeats the frame before it, or at the beginning
         the first frame with a pose.
+    scale : float, default=1.0
+        Size of the person over that of the skeleton.
 
     Raises
     ------
@@ -37,7 +39,7 @@ def save_bvh(file: str | Path, motion: Motion) -> None:
     file = Path(file)
     angles, root = _without_gaps(motion.angles), _without_gaps(motion.root_position)
     rotations = skeleton.rotations_from_angles(angles)
-    nodes, joints = _skeleton()
+    nodes, joints = _skeleton(scale)
     third = skeleton.spine_thirds(rotations[:, skeleton.JOINTS.index("chest")])
     euler = np.stack(
         [
@@ -55,13 +57,13 @@ def save_bvh(file: str | Path, motion: Motion) -> None:
         raise InputError(f"cannot write '{file}' ({error}): name a .bvh file") from error
 
 
-def _skeleton() -> tuple[list[BvhNode], list[str]]:
+def _skeleton(scale: float) -> tuple[list[BvhNode], list[str]]:
     """Nodes in the order of a file, each after its parent, and the names of those that rotate."""
     nodes: list[BvhNode] = []
     joints: list[str] = []
 
     def add(name: str, offset: object, parent: BvhNode | None) -> BvhNode:
-        values = np.asarray(offset, dtype=float)
+        values = scale * np.asarray(offset, dtype=float)
         node: BvhNode
         if parent is None:
             node = BvhRoot(name, values, rot_channels=list(_CHANNELS))

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
         record_study,
     )
     from silpose.recording.tracking import record_extinction, record_tracking
+    from silpose.recording.video import VideoRecorder, record_video, video_recording
     from silpose.recording.viewer import film, open_recording, picture, repair, show
 
 _EXPORTS = {
@@ -68,6 +69,7 @@ _EXPORTS = {
         "write_result",
     ),
     "sinks": ("Sinks",),
+    "video": ("VideoRecorder", "video_recording"),
     "viewer": ("film", "open_recording", "picture", "repair", "show"),
 }
 _RECORDERS = {
@@ -83,6 +85,7 @@ _RECORDERS = {
     "record_single_image": "single_image",
     "record_study": "study",
     "record_tracking": "tracking",
+    "record_video": "video",
 }
 
 # Rerun reports a viewer that was closed in several lines; here it is one warning.
@@ -115,6 +118,7 @@ __all__ = [
     "Result",
     "RunFolder",
     "Sinks",
+    "VideoRecorder",
     "codebook_picture",
     "compare",
     "film",
@@ -138,10 +142,12 @@ __all__ = [
     "record_single_image",
     "record_study",
     "record_tracking",
+    "record_video",
     "repair",
     "runs_table",
     "serve",
     "show",
+    "video_recording",
     "write_gait",
     "write_result",
 ]

@@ -5,9 +5,13 @@ TRUE_HEADING = "/motion/heading"
 TRUE_POSE = "/motion/pose"
 
 CAMERA = "/silhouette/camera"
+PICTURE = "/silhouette/camera/picture"
 MASK = "/silhouette/camera/mask"
+MASK_STATE = "/silhouette/state"
 EDGE_POINTS = "/silhouette/camera/edge_points"
 OVERLAID_SKELETON = "/silhouette/camera/skeleton"  # the estimated pose on the mask
+OVERLAID_OUTLINE = "/silhouette/camera/outline"  # of the fitted body
+CAPTION = "/silhouette/camera/caption"
 RETAINED_POINTS = "/silhouette/camera/retained"  # one entity below it per body part
 
 TAKE = "/dataset/take"
@@ -52,6 +56,7 @@ OVERLAP_SHARES = "/fitting/iou"  # one entity below it per method
 FITTED_SKELETON = "/fitting/skeleton"
 FITTED_BODY = "/fitting/body"  # one entity below it per rigid part
 FITTED_POSE = "/fitting/pose"
+PATH = "/fitting/path"  # where the person is on the floor
 FITTED_HEADING = "/fitting/heading"
 ITERATED_OVERLAP = "/fitting/iterations/overlap"  # on the timeline `iteration`, as all below
 ITERATED_CONTOUR = "/fitting/iterations/overlap/contour"
@@ -64,10 +69,13 @@ ITERATED_TRUE_SKELETON = "/fitting/iterations/true_skeleton"
 
 ERROR = "/evaluation/error"  # one entity below it per method
 CONFIDENCE = "/evaluation/confidence"
+LEG_ANGLES = "/evaluation/angles"  # one entity below it per joint and side
+GAIT_PHASE = "/evaluation/phase"  # one entity below it per side
 
 FIGURE = "/run/figure"
 SETTINGS = "/run/settings"
 METRICS = "/run/metrics"
+LATENCY = "/run/latency"
 
 
 def below(root: str, name: str) -> str:

@@ -9,12 +9,60 @@ import rerun as rr
 from scipy.spatial import ConvexHull
 
 from silpose.core.pose_space import ANGLES
-from silpose.core.types import Array, Array32, Indices
+from silpose.core.types import Array, Array32
+from silpose.fitting.geometry import geometry_of
+from silpose.fitting.kinematics import pose_tree
 from silpose.recording import entity_paths, palette
 from silpose.recording.frame_logger import FrameLogger
-from silpose.silhouette import Body, RigidLinks
+from silpose.silhouette import Body
 
 _LEVEL = 1  # detail of the body that is drawn
+
+
+class FittedBody:
+    """A body whose parts are rigid, each of them a mesh and an entity.
+
+    Parameters
+    ----------
+    shape : sequence of 10 floats, optional
+        Shape coefficients; those of the mean body if not given.
+    """
+
+    def __init__(self, shape: Sequence[float] | None = None) -> None:
+        self._geometry = geometry_of(Body("convex", _LEVEL, shape=shape))
+        self._nodes = {
+            entity_paths.below(entity_paths.FITTED_BODY, str(node)): node
+            for node in np.unique(self._geometry.nodes).tolist()
+        }
+
+    def meshes(self) -> dict[str, rr.Mesh3D]:
+        """Mesh of each part, by entity."""
+        links, found = self._geometry, {}
+        for entity, node in self._nodes.items():
+            own = np.flatnonzero(links.nodes == node)
+            corners, normals = _mesh([links.points[k, : links.counts[k]] for k in own])
+            found[entity] = rr.Mesh3D(
+                vertex_positions=corners, vertex_normals=normals, albedo_factor=palette.NEUTRAL
+            )
+        return found
+
+    def motion(self, x: Array, root: Array, scale: float = 1.0) -> dict[str, tuple[Array, Array]]:
+        """Rotation (F, 3, 3) and position (F, 3) of each part, by entity; NaN of a row of NaN.
+
+        Parameters
+        ----------
+        x : ndarray, shape (F, 55)
+        root : ndarray, shape (F, 3)
+            Position of the root in the world, metres.
+        scale : float, default=1.0
+            Size of the person over that of the body.
+        """
+        angles = np.deg2rad(ANGLES.angles(np.nan_to_num(x)))
+        posed = [pose_tree(own, self._geometry) for own in angles]
+        turns = scale * np.array([rotations for rotations, _, _ in posed])
+        places = scale * np.array([positions for _, positions, _ in posed]) + root[:, None]
+        places[~np.isfinite(x).all(axis=1)] = np.nan
+        return {entity: (turns[:, k], places[:, k]) for entity, k in self._nodes.items()}
 
 
 def log_fitted_body(
@@ -31,20 +79,10 @@ def log_fitted_body(
     shape : sequence of 10 floats, optional
         Shape coefficients; those of the mean body if not given.
     """
-    body = Body("convex", _LEVEL, shape=shape)
-    links = RigidLinks.of(body)
-    posed = body.pieces(ANGLES.rotations(np.nan_to_num(x))).astype(float)
-    posed += root[:, None, None]
-    for node in np.unique(links.nodes):
-        own = np.flatnonzero(links.nodes == node)
-        corners, normals = _mesh([links.points[k, : links.counts[k]] for k in own])
-        turns, places = _motion_of(links, own, posed)
-        places[~np.isfinite(x).all(axis=1)] = np.nan
-        entity = entity_paths.below(entity_paths.FITTED_BODY, str(node))
-        mesh = rr.Mesh3D(
-            vertex_positions=corners, vertex_normals=normals, albedo_factor=palette.NEUTRAL
-        )
+    body = FittedBody(shape)
+    for entity, mesh in body.meshes().items():
         logger.each(entity, [mesh])  # from the first frame on; static, it would be on all timelines
+    for entity, (turns, places) in body.motion(x, root).items():
         logger.columns(
             entity,
             rr.Transform3D.columns(
@@ -65,14 +103,3 @@ def _mesh(hulls: list[Array]) -> tuple[Array32, Array32]:
         corners.append(own.reshape(-1, 3))
         normals.append(np.repeat(outwards, 3, axis=0))
     return np.concatenate(corners).astype(np.float32), np.concatenate(normals).astype(np.float32)
-
-
-def _motion_of(links: RigidLinks, own: Indices, posed: Array) -> tuple[Array, Array]:
-    """Rotation (F, 3, 3) and position (F, 3) of links that move together, by least squares."""
-    rest = np.concatenate([links.points[k, : links.counts[k]] for k in own])
-    moved = np.concatenate([posed[:, k, : links.counts[k]] for k in own], axis=1)
-    centre, centres = rest.mean(axis=0), moved.mean(axis=1)
-    u, _, vt = np.linalg.svd(np.swapaxes(moved - centres[:, None], 1, 2) @ (rest - centre))
-    u[:, :, 2] *= np.linalg.det(u @ vt)[:, None]
-    turns = u @ vt
-    return turns, centres - turns @ centre

@@ -134,11 +134,10 @@ class FrameLogger:
         """
         flat = joints.shape[2] == 2
         kind = rr.LineStrips2D if flat else rr.LineStrips3D
-        sides = [names[child].split("_")[0] for _, child in bones]
         ends = joints[:, np.asarray(bones)]
         strips = ends.reshape(-1, 2, joints.shape[2]).astype(np.float32)
         radii = rr.Radius.ui_points(radius) if flat else radius
-        each = [palette.shade(own, side) for own in _listed(colour) for side in sides]
+        each = [shade for own in _listed(colour) for shade in palette.shades(own, bones, names)]
         if isinstance(colour, tuple):
             self.static(entity, kind.from_fields(colors=each, radii=radii))
             columns = kind.columns(strips=strips)

@@ -163,7 +163,8 @@ def _figure(report: GaitReport) -> Figure:
     for k, joint in enumerate(MOVES):
         axes = figure.add_subplot(grid[0, k])
         _draw_angle(axes, report, joint)
-    axes.legend(frameon=False, fontsize=8)
+    if report.curves:
+        axes.legend(frameon=False, fontsize=8)
     _draw_stances(figure.add_subplot(grid[1, :]), report)
     return figure
 

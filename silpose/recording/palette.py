@@ -6,7 +6,7 @@ The left side of a body is light and its right side dark.
 from __future__ import annotations
 
 import colorsys
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 
 Colour = tuple[int, int, int]
 """Red, green and blue, each from 0 to 255."""
@@ -67,6 +67,17 @@ ESTIMATE_STATES: Mapping[str, Colour] = {
     "filled": (90, 110, 200),
 }
 
+MASK_STATES: Mapping[str, Colour] = {
+    "person": (70, 150, 90),
+    "blank": (110, 110, 120),
+    "fragment": (140, 110, 160),
+    "filled": (90, 110, 200),
+    "learning": (60, 120, 160),
+    "switched": (225, 205, 90),
+    "moved": (220, 70, 60),
+    "gone": (120, 60, 60),
+}
+
 
 def states(found: Collection[str]) -> Mapping[str, Colour]:
     """Colours of the kind of states that some belong to: of estimates, a track, or a fit."""
@@ -91,6 +102,11 @@ def shade(colour: Colour, side: str) -> Colour:
     else:
         red, green, blue = colour
     return red, green, blue
+
+
+def shades(colour: Colour, bones: Sequence[tuple[int, int]], names: Sequence[str]) -> list[Colour]:
+    """Colours of a skeleton's bones, by the names of its joints."""
+    return [shade(colour, names[child].split("_")[0]) for _, child in bones]
 
 
 def hexed(colour: Colour) -> str:

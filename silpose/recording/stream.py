@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,25 +18,21 @@ from silpose.recording.header import Header
 from silpose.recording.layout import hide
 from silpose.recording.viewer.live import connect
 
+_SHOWN, _WRITTEN = 0.03, 10.0  # seconds for which rows are gathered live
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
 
 
 @contextmanager
-def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.RecordingStream]:
+def recording_stream(
+    header: Header, layout: rrb.Blueprint, gathered: float = 3600.0
+) -> Iterator[rr.RecordingStream]:
     """Open a recording that goes where its header says; its file is complete at the end.
 
     A viewer that is closed meanwhile is a warning. The file is written in any case, so that
-    nothing is lost then, and deleted at the end if it was not asked for.
+    nothing is lost then, and deleted at the end if it was not asked for. Rows are `gathered` for
+    so many seconds at most.
     """
-    # A stream of its own: rr.init would give all jobs of one process the same recording id. Runs
-    # of one experiment share a layout in the viewer, as one application's recordings do.
-    recording = rr.RecordingStream(
-        f"silpose_{header.experiment}",
-        recording_id=header.identity,
-        send_properties=False,  # which would be the time of day
-        # By default rows are gathered for a fifth of a second: where a chunk ends would be chance.
-        batcher_config=rr.ChunkBatcherConfig(flush_tick=3600),
-    )
+    recording = _open(header, gathered)
     if not header.settings:
         hide(layout.root_container, entity_paths.SETTINGS)
     if header.figure is None:
@@ -44,8 +41,7 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
     with writing(header.file) as path:
         live = connect(recording, header, layout)
         recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
-        recording.set_log_time_enabled(False)  # the same run gives the same recording
-        _send_header(recording, header)
+        send_header(recording, header)
         try:
             yield recording
             delivered = _delivered(recording, header)
@@ -56,13 +52,70 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
         header.file.unlink()
 
 
+@contextmanager
+def live_stream(header: Header, layout: rrb.Blueprint) -> Iterator[FanOut]:
+    """Open a recording as `recording_stream` does, of which viewers get each row at once.
+
+    A file of single rows would be large, and slow to open: it gets them ten seconds at a time.
+    """
+    kinds = header.sinks.kinds if header.sinks else ("file",)
+    with recording_stream(replace(header, sinks=None), layout, _WRITTEN) as written:
+        shown = _open(header, _SHOWN)
+        viewers = connect(shown, header, layout)
+        if viewers:
+            shown.set_sinks(*viewers, default_blueprint=layout)
+            send_header(shown, header)
+        try:
+            yield FanOut([written, shown] if viewers else [written])
+            delivered = not viewers or _delivered(shown, header)
+        finally:
+            shown.disconnect()
+    if delivered and "file" not in kinds and len(viewers) == len(kinds):
+        header.file.unlink()
+
+
+class FanOut:
+    """Several recordings that get the same.
+
+    Parameters
+    ----------
+    recordings : sequence of rerun.RecordingStream
+        Every method that is called is called of each of them.
+    """
+
+    def __init__(self, recordings: Sequence[rr.RecordingStream]) -> None:
+        self._recordings = recordings
+
+    def __getattr__(self, name: str) -> Callable[..., None]:
+        def each(*arguments: object, **more: object) -> None:
+            for recording in self._recordings:
+                getattr(recording, name)(*arguments, **more)
+
+        return each
+
+
+def _open(header: Header, gathered: float) -> rr.RecordingStream:
+    # A stream of its own: rr.init would give all jobs of one process the same recording id. Runs
+    # of one experiment share a layout in the viewer, as one application's recordings do.
+    recording = rr.RecordingStream(
+        f"silpose_{header.experiment}",
+        recording_id=header.identity,
+        send_properties=False,  # which would be the time of day
+        # By default rows are gathered for a fifth of a second: where a chunk ends would be chance.
+        batcher_config=rr.ChunkBatcherConfig(flush_tick=gathered),
+    )
+    recording.set_log_time_enabled(False)  # the same run gives the same recording
+    return recording
+
+
 def log_figure(recording: rr.RecordingStream, header: Header) -> None:
     """Log the figure of the experiment, if it has one."""
     if header.figure is not None:
         recording.log(entity_paths.FIGURE, rr.EncodedImage(path=header.figure), static=True)
 
 
-def _send_header(recording: rr.RecordingStream, header: Header) -> None:
+def send_header(recording: rr.RecordingStream | FanOut, header: Header) -> None:
+    """Send name, properties and texts; what was sent before is replaced."""
     recording.send_recording_name(header.name)
     for group, values in header.properties().items():
         typed: dict[str, Any] = {

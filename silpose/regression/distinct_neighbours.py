@@ -52,7 +52,7 @@ class DistinctNeighbours:
         """
         found = np.full((len(z), count, self._x.shape[1]), np.nan)
         seen = np.flatnonzero(np.isfinite(z).all(axis=1))
-        if len(seen) == 0:
+        if len(seen) == 0 or count == 0:
             return found
         looked_at = min(_LOOKED_AT, len(self._x))
         nearest = self._search.kneighbors(np.sqrt(z[seen]), looked_at, return_distance=False)

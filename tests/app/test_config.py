@@ -13,6 +13,10 @@ NEEDED = {
     "amass": ["motion.root=somewhere"],
     "bvh": ["motion.root=somewhere"],
     "masks": ["silhouette.source=somewhere"],
+    "video": ["silhouette.source=somewhere"],
+    "video_knn": ["silhouette.source=somewhere"],
+    "video_mog2": ["silhouette.source=somewhere"],
+    "video_selfie": ["silhouette.source=somewhere"],
 }
 
 

@@ -142,8 +142,12 @@ def test_every_parameter_is_settable_and_arrives(
             "sinks": list(folder.sinks.kinds),
             "viewer_port": folder.sinks.viewer_port,
             "web_port": folder.sinks.web_port,
+            "keep_pictures": folder.keep_pictures,
         }
         assert arrived[parameter.name] == value
+    elif group == "silhouette.video":
+        _, given = build_components(settings).video.args  # it is built where a film is opened
+        assert same(given[parameter.name], value)
     elif parameter.name == "cache":
         assert build_components(settings).cache.file.parent.name == value
     else:

@@ -24,6 +24,14 @@ def test_a_path_may_hold_an_equals_sign_if_it_exists(tmp_path, monkeypatch):
         overrides_of("predict", ["model=x"])
 
 
+def test_the_address_of_a_stream_may_hold_an_equals_sign():
+    address = "rtsp://user:word@camera/stream?channel=1&subtype=0"
+    settings = plain(load(overrides_of("video", [address, "silhouette.body_height=1.75"])))
+    assert settings["experiment"] == "video"
+    assert settings["silhouette"]["source"] == address
+    assert settings["silhouette"]["body_height"] == 1.75
+
+
 def test_motion_reads_files_of_all_formats_unless_told_otherwise():
     settings = plain(load(overrides_of("motion", ["my walks", "motion.formats=[npz]", "shown=3"])))
     assert settings["experiment"] == "motion_report" and settings["shown"] == 3

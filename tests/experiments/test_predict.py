@@ -114,6 +114,8 @@ def test_masks_are_needed(run, walkers, mask_folder):
         run("predict", walkers)
     with pytest.raises(InputError, match=r"5\.png' has no foreground"):
         run("predict", replace(walkers, masks=MaskSource(str(mask_folder))))
+    with pytest.raises(InputError, match=r"are of films: leave them out, or type silpose video"):
+        run("predict", replace(walkers, masks=MaskSource(str(mask_folder), body_height=1.7)))
 
 
 def test_a_tree_gives_a_table_per_take(run, own, model, mask_folder, tmp_path):

@@ -8,10 +8,12 @@ import cv2
 import numpy as np
 import pytest
 from rerun.chunk import RrdReader
+from video_steps import video_steps
 
 from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
 from silpose.descriptor.context_space import ContextSpace
+from silpose.evaluation.gait import GaitReport, Stride
 from silpose.fitting import Trace
 from silpose.recording import (
     GroundTruth,
@@ -27,6 +29,7 @@ from silpose.recording import (
     record_prediction,
     record_study,
     record_tracking,
+    video_recording,
 )
 from silpose.silhouette import Camera
 from silpose.tracking import Track
@@ -53,7 +56,7 @@ def logged():
         for chunk in RrdReader(recording).stream().filter(content=entity, is_static=static):
             batch = chunk.to_record_batch()
             if component in batch.schema.names:
-                frames = [0] if static else batch.column("frame").to_pylist()
+                frames = [0] * batch.num_rows if static else batch.column("frame").to_pylist()
                 values += zip(frames, batch.column(component).to_pylist(), strict=True)
         return [value for _, value in sorted(values, key=lambda pair: pair[0])]
 
@@ -142,4 +145,10 @@ def recordings(finished, sequence, modes, states, header, tmp_path_factory):
         *(head("fitting"), sequence, fits, sequence.x[::-1], sequence.x),
         *(silhouettes, shares, trace, 8, ANGLES),
     )
+
+    with video_recording(head("video"), (96, 96), 15.0, live=True) as recorder:
+        for step in video_steps(sequence, 5, lost=(2,), live=True):
+            recorder.log(step)
+        stride = Stride("left", 0.0, 0.1, 0.2, 0.2, 0.3, *[1.0] * 5, False, 1.0, (0, 4))
+        recorder.log_gait(GaitReport((), (stride,), (), (), "forward", ()))
     return paths

@@ -16,6 +16,8 @@ PER_SOMETHING = (
     entities.HYPOTHESES,
     entities.OVERLAP_SHARES,
     entities.FITTED_BODY,
+    entities.LEG_ANGLES,
+    entities.GAIT_PHASE,
 )
 ENTITIES = {v for k, v in vars(entities).items() if k.isupper()} - {
     entities.INFLUENTIAL_EXAMPLES,  # these two only hold others

@@ -11,6 +11,7 @@ from threading import Thread
 import cv2
 import numpy as np
 import pytest
+import rerun as rr
 from browser import wait_for
 from rerun.chunk import RrdReader
 from rerun.experimental import ViewerClient
@@ -20,7 +21,7 @@ from silpose.recording import entity_paths as entities
 from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.layout import study_layout
 from silpose.recording.silhouette import log_masks_alone
-from silpose.recording.stream import recording_stream
+from silpose.recording.stream import live_stream, recording_stream
 from silpose.recording.viewer import process as program
 
 FRAMES = 60
@@ -189,3 +190,17 @@ def test_a_catalog_shows_a_sweep_as_a_table(recordings):
         table = client.get_dataset("sweep").segment_table().to_pandas()
     assert len(table) == len(recordings)
     assert {"property:settings:seed", "property:versions:silpose"} <= set(table.columns)
+
+
+def test_live_viewer_and_file_get_the_same(head, viewer, tmp_path, port):
+    with live_stream(head("file", "viewer"), study_layout("error", 15.0)) as recording:
+        logger = FrameLogger(recording, FRAMES, 15.0)
+        log_masks_alone(logger, [np.eye(9, dtype=np.uint8)] * FRAMES)
+        logger.series(f"{entities.ERROR}/a", np.arange(FRAMES, dtype=float), "a", (9, 9, 9))
+    assert_complete(tmp_path / "run.rrd")
+
+
+def test_live_a_viewer_alone_leaves_no_file(head, viewer, tmp_path):
+    with live_stream(head("viewer"), study_layout("error", 15.0)) as recording:
+        recording.log("/a", rr.Scalars(1.0))
+    assert list(tmp_path.iterdir()) == []

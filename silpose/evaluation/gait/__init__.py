@@ -8,7 +8,8 @@ takes out jitter, `events` finds heel strikes and toe-offs, `strides` puts them 
 from silpose.evaluation.gait.curves import MOVES, PERCENT, AngleCurve
 from silpose.evaluation.gait.events import GaitEvent
 from silpose.evaluation.gait.facing import azimuth_of_camera
-from silpose.evaluation.gait.parameters import PARAMETERS, GaitParameter
+from silpose.evaluation.gait.frame_angles import frame_angles, gait_phase
+from silpose.evaluation.gait.parameters import PARAMETERS, GaitParameter, gait_parameters
 from silpose.evaluation.gait.report import GaitReport, gait_report
 from silpose.evaluation.gait.strides import Stride
 from silpose.evaluation.gait.walk import Walk
@@ -24,5 +25,8 @@ __all__ = [
     "Stride",
     "Walk",
     "azimuth_of_camera",
+    "frame_angles",
+    "gait_parameters",
+    "gait_phase",
     "gait_report",
 ]

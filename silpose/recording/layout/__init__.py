@@ -23,6 +23,7 @@ from silpose.recording.layout.tracks import (
     modes_layout,
     tracking_layout,
 )
+from silpose.recording.layout.video import video_layout
 from silpose.recording.layout.views import Window, hide
 
 __all__ = [
@@ -41,4 +42,5 @@ __all__ = [
     "single_image_layout",
     "study_layout",
     "tracking_layout",
+    "video_layout",
 ]

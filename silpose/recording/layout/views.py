@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import rerun as rr
 import rerun.blueprint as rrb
@@ -33,15 +34,21 @@ def from_the_front(away: float) -> rrb.EyeControls3D:
 
 
 def blueprint(
-    columns: Sequence[rrb.Container | rrb.View], shares: Sequence[float], frames_per_second: float
+    columns: Sequence[rrb.Container | rrb.View],
+    shares: Sequence[float],
+    frames_per_second: float,
+    follow: bool = False,
 ) -> rrb.Blueprint:
-    """Columns of views above a collapsed timeline."""
+    """Columns of views above a collapsed timeline, which may go on with what arrives."""
     return rrb.Blueprint(
         rrb.Horizontal(*columns, column_shares=shares),
         rrb.BlueprintPanel(state="collapsed"),
         rrb.SelectionPanel(state="collapsed"),
         rrb.TimePanel(
-            state="collapsed", timeline="frame", fps=frames_per_second, play_state="paused"
+            state="collapsed",
+            timeline="frame",
+            fps=frames_per_second,
+            play_state="following" if follow else "paused",
         ),
         auto_layout=False,
         auto_views=False,
@@ -101,9 +108,13 @@ def mask_view(
 
 
 def bodies_view(
-    name: str, contents: Sequence[str], eye: rrb.EyeControls3D, origin: str = "/"
+    name: str,
+    contents: Sequence[str],
+    eye: rrb.EyeControls3D,
+    origin: str = "/",
+    overrides: Mapping[Any, Any] | None = None,
 ) -> rrb.Spatial3DView:
-    """Skeletons on the ground."""
+    """Skeletons on the ground; entities may be shown in a way of their own."""
     return rrb.Spatial3DView(
         origin=origin,
         contents=list(contents),
@@ -111,6 +122,7 @@ def bodies_view(
         background=[22, 24, 28],
         line_grid=GROUND,
         eye_controls=eye,
+        overrides=overrides,
     )
 
 

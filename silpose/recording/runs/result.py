@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from silpose.core.types import Metrics, Row
@@ -51,6 +52,8 @@ class Result:
         nothing is chosen.
     tables : mapping of str to str
         Further tables, as CSV, by the name of their file (``poses.csv``).
+    files : mapping of str to callable
+        Functions that write further files to a path, by the names of the files (``track.npz``).
     used_model : str or None
         Path of a model that an earlier run trained, whose settings are written as this run's.
     summary : str
@@ -71,6 +74,7 @@ class Result:
     model: PoseModel | None = None
     headline: float | None = None
     tables: Mapping[str, str] = field(default_factory=dict)
+    files: Mapping[str, Callable[[Path], None]] = field(default_factory=dict)
     used_model: str | None = None
     summary: str = ""
     report: str = ""

@@ -26,6 +26,8 @@ class RunFolder:
         The run's settings as YAML.
     sinks : Sinks
         Where the run's recording goes.
+    keep_pictures : bool or None, default=None
+        Whether pictures of people are kept; None where the source decides.
     """
 
     experiment: str
@@ -33,6 +35,7 @@ class RunFolder:
     folder: Path
     settings: str
     sinks: Sinks
+    keep_pictures: bool | None = None
 
     @classmethod
     def start(
@@ -45,6 +48,7 @@ class RunFolder:
         sinks: Sequence[str] = ("file",),
         viewer_port: int = 9876,
         web_port: int = 9090,
+        keep_pictures: bool | None = None,
     ) -> RunFolder:
         """Make the folder of a new run.
 
@@ -63,6 +67,9 @@ class RunFolder:
             Port of a viewer on this machine's screen; one that is open already is used.
         web_port : int, default=9090
             Port of a page on this machine; the port after it brings the data.
+        keep_pictures : bool or None, default=None
+            Whether pictures of people are kept in recordings and figures, besides their masks;
+            null keeps those of films, and none of cameras.
 
         Raises
         ------
@@ -83,7 +90,7 @@ class RunFolder:
             raise InputError(
                 f"cannot write to '{parent}' ({error.strerror}): choose another recording.root"
             ) from error
-        return cls(experiment, folder.name, folder, settings, opened)
+        return cls(experiment, folder.name, folder, settings, opened, keep_pictures)
 
     def abandon(self) -> None:
         """Remove the folder if nothing was finished in it."""

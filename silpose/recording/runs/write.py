@@ -43,6 +43,9 @@ def write_result(
     for name, table in result.tables.items():
         with folder.writing(name) as path:
             path.write_text(table, encoding="utf-8", newline="")
+    for name, write in result.files.items():
+        with folder.writing(name) as path:
+            write(path)
     if result.report:
         with folder.writing("report.txt") as path:
             path.write_text(result.report + "\n", encoding="utf-8")

@@ -75,6 +75,7 @@ def start(
             stderr=errors,
             env=os.environ | _QUIET | {"RERUN_APP_ONLY": "true"},
             start_new_session=detach,
+            process_group=0 if os.name == "posix" and not detach else None,  # Ctrl-C is not for it
         )
         deadline = time.monotonic() + _PATIENCE
         settled = None

@@ -3,7 +3,15 @@
 from silpose.silhouette.masks.folders import image_files
 from silpose.silhouette.masks.mask_reader import MaskReader
 from silpose.silhouette.masks.mask_source import MaskSource
+from silpose.silhouette.masks.packed_mask import PackedMask
 from silpose.silhouette.masks.read import read_masks
 from silpose.silhouette.masks.sequence import MaskSequence
 
-__all__ = ["MaskReader", "MaskSequence", "MaskSource", "image_files", "read_masks"]
+__all__ = [
+    "MaskReader",
+    "MaskSequence",
+    "MaskSource",
+    "PackedMask",
+    "image_files",
+    "read_masks",
+]

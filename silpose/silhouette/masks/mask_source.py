@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from silpose.core.errors import InputError
 from silpose.silhouette.blank_masks import check_blank
+
+_OF_FILMS = ("body_height", "focal_length")
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,11 @@ class MaskSource:
         Whether the person is darker than the background; null asks the borders of the masks.
     threshold : float or None, default=None
         Value above which a pixel is the person, in the units of the source; null finds it.
+    body_height : float or None, default=None
+        Height of the person in a film, metres; null takes that of the fitted body.
+    focal_length : float or None, default=None
+        Focal length of a film's camera, in longer sides of its pictures; null takes 0.9, as of
+        phones and webcams.
     """
 
     source: str | None = None
@@ -42,6 +50,13 @@ class MaskSource:
     person: str | None = None
     inverted: bool | None = None
     threshold: float | None = None
+    body_height: float | None = None
+    focal_length: float | None = None
+
+    @property
+    def reading(self) -> dict[str, Any]:
+        """Parameters of how masks are read, without where they are and what films have besides."""
+        return {n: v for n, v in vars(self).items() if n not in ("source", *_OF_FILMS)}
 
     def __post_init__(self) -> None:
         check_blank(self.blank)

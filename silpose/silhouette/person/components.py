@@ -103,7 +103,9 @@ def find_people(mask: Mask) -> Found:
         left, top, width, height = cv2.boundingRect(outlines[0])
         area = cv2.countNonZero(mask)
         return Found([Person([1], area, (left, top, left + width, top + height))], 1, area)
-    count, _, stats, _ = cv2.connectedComponentsWithStats(mask, connectivity=8)
+    part, (left, top) = _foreground(mask)
+    count, _, stats, _ = cv2.connectedComponentsWithStats(part, connectivity=8)
+    stats[:, [cv2.CC_STAT_LEFT, cv2.CC_STAT_TOP]] += (left, top)
     areas = stats[1:, cv2.CC_STAT_AREA]
     order = 1 + np.argsort(-areas, kind="stable")[:_PIECES]
     pieces = [_piece(int(label), stats[label]) for label in order]
@@ -131,11 +133,19 @@ def mask_of(mask: Mask, found: Found, person: Person) -> Mask:
     dropped = found.components - len(person.labels)
     if not dropped:
         return mask
-    count, labels = cv2.connectedComponents(mask, connectivity=8)
+    part, (left, top) = _foreground(mask)
+    count, labels = cv2.connectedComponents(part, connectivity=8)
     keep = np.zeros(count, np.uint8)
     keep[person.labels] = 1
-    alone = keep[labels]
+    alone = np.zeros_like(mask)
+    alone[top : top + part.shape[0], left : left + part.shape[1]] = keep[labels]
     return _without_pinholes(alone, _HOLE * person.area) if dropped >= _NOISY else alone
+
+
+def _foreground(mask: Mask) -> tuple[Mask, tuple[int, int]]:
+    """Part of a mask that holds all its foreground, where components are found sooner."""
+    left, top, width, height = cv2.boundingRect(mask)
+    return mask[top : top + height, left : left + width], (left, top)
 
 
 def _without_pinholes(mask: Mask, largest: float) -> Mask:

@@ -5,5 +5,14 @@ from silpose.silhouette.video.masked_frame import MaskedFrame
 from silpose.silhouette.video.open_source import open_source
 from silpose.silhouette.video.segmenter import Segmenter
 from silpose.silhouette.video.video_masks import VideoMasks
+from silpose.silhouette.video.whole_clip import doubts_of, even_times
 
-__all__ = ["Frame", "MaskedFrame", "Segmenter", "VideoMasks", "open_source"]
+__all__ = [
+    "Frame",
+    "MaskedFrame",
+    "Segmenter",
+    "VideoMasks",
+    "doubts_of",
+    "even_times",
+    "open_source",
+]

@@ -14,8 +14,11 @@ from silpose.silhouette.video.frame import Picture
 from silpose.silhouette.video.light import Light, lit
 from silpose.silhouette.video.shadow import shadow
 
-KINDS = ("median", "mog2", "knn")
-"""Ways to learn a background; besides, it may be a picture of the empty scene."""
+KINDS = ("median", "mog2", "knn", "selfie")
+"""Ways to tell a person from the background, which may also be a picture of the empty scene."""
+
+ADAPTIVE = ("mog2", "knn")
+"""Those that go on learning."""
 
 _NOISE = 5.0  # standard deviations of the noise that are no difference
 _TO_SIGMA = 1.4826  # from the median of absolute differences

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from silpose.core.types import Array32
-from silpose.silhouette.video.frame import Picture
+from silpose.silhouette.video.frame import Picture, reduced
 
 _SIDE = 256  # pixels of the longer side at which pictures are compared
 _CELLS = 6  # along the longer side
@@ -62,7 +62,7 @@ class CameraMotion:
         height, width = picture.shape[:2]
         scale = min(1.0, _SIDE / max(height, width))
         size = max(8, round(scale * width)), max(8, round(scale * height))
-        small = cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
+        small = reduced(picture, *size)
         return np.asarray(cv2.cvtColor(small, cv2.COLOR_RGB2GRAY), np.float32)
 
     def _compare(self, one: Array32, other: Array32) -> tuple[Array32, Array32]:

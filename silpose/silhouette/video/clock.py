@@ -8,7 +8,7 @@ FASTEST = 1000
 USUAL = 30.0
 """Frames per second of a source that tells none."""
 
-_LONGEST = 3600.0  # seconds between two frames, from which a clock has jumped
+_LONGEST = 3600.0  # seconds between two frames of a film, from which its clock has jumped
 
 
 class Clock:
@@ -18,10 +18,13 @@ class Clock:
     ----------
     rate : float
         Frames per second, for frames whose time stamp is missing or has jumped.
+    longest : float, default=3600
+        Seconds between two frames from which the clock has jumped.
     """
 
-    def __init__(self, rate: float) -> None:
+    def __init__(self, rate: float, longest: float = _LONGEST) -> None:
         self.interval = 1 / rate
+        self.longest = longest
         self._shift: float | None = None
         self._last = -self.interval
 
@@ -44,10 +47,16 @@ class Clock:
             time = expected
         else:
             if self._shift is None:
-                self._shift = stamp
+                self._shift = stamp - expected
             time = stamp - self._shift
-            if not self._last < time < self._last + _LONGEST:
+            if not self._last < time < self._last + self.longest:
                 time = expected
                 self._shift = stamp - time
         self._last = time
         return time
+
+    def wait(self, seconds: float) -> float:
+        """Let time pass without a frame, after which stamps may be of another clock."""
+        self._last += seconds
+        self._shift = None
+        return self._last

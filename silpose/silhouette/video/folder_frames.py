@@ -52,6 +52,7 @@ class FolderFrames:
         self.name = f"'{folder}'"
         self.longest_side = longest_side
         self.frames_per_second = rate
+        self.announced = len(self.files)
         if not self.files:
             raise InputError(f"there are no pictures in {self.name}: give a folder of them")
         if rate is None:

@@ -11,20 +11,21 @@ import numpy as np
 from silpose.core.errors import InputError
 from silpose.core.types import Mask
 from silpose.silhouette.video.backgrounds import (
-    KINDS,
+    ADAPTIVE,
     AdaptiveBackground,
     Background,
     FixedBackground,
     Shadows,
 )
 from silpose.silhouette.video.folder_frames import read_picture
-from silpose.silhouette.video.frame import Picture
+from silpose.silhouette.video.frame import Picture, alike
+from silpose.silhouette.video.light import Light, lit
 from silpose.silhouette.video.median import median_picture
 from silpose.silhouette.video.open_source import Frames
 
 _FEWEST = 3  # frames of which a median is something else than one of them
+_SWITCHED = 0.15  # mean log of a gain from which a light was switched
 _GREY = 6  # levels by which the colours of a grey picture differ at most, compressed
-_SQUARE = 0.02  # by which the proportions of two pictures of one camera may differ
 
 
 def learn_background(
@@ -35,7 +36,7 @@ def learn_background(
     Parameters
     ----------
     kind : str
-        One of `KINDS`, or the path of a picture of the empty scene.
+        median, one of `ADAPTIVE`, or the path of a picture of the empty scene.
     frames : Frames
     samples : int
         Frames from which it is learnt beforehand, unless the source is live.
@@ -56,7 +57,7 @@ def learn_background(
     UserWarning
         If the pictures are grey, so that there is no shadow rule.
     """
-    if kind in KINDS and kind != "median":
+    if kind in ADAPTIVE:
         first = [] if frames.is_live else _sample(frames, samples)
         return AdaptiveBackground(kind, threshold, shadows, history, first)
     noise: Mask | None = None
@@ -65,9 +66,10 @@ def learn_background(
         if len(pictures) < _FEWEST:
             raise InputError(
                 f"{frames.name} has fewer than {_FEWEST} frames, too few for a median: give a "
-                "picture of the empty scene as background='FILE'"
+                "picture of the empty scene, silhouette.video.background=FILE (in Python "
+                "background='FILE')"
             )
-        picture, noise = median_picture(pictures)
+        picture, noise = median_picture(_in_one_light(pictures))
     else:
         picture = _empty_scene(Path(kind), frames)
     if shadows is not None and np.ptp(picture, axis=-1).max() <= _GREY:
@@ -85,11 +87,27 @@ def _sample(frames: Frames, samples: int) -> list[Picture]:
     return [picture for picture in pictures if picture.shape == pictures[0].shape]
 
 
+def _in_one_light(pictures: list[Picture]) -> list[Picture]:
+    """Brighten and darken pictures to the light of the middle one, if a light was switched.
+
+    Otherwise how light drifts is left to the measured noise.
+    """
+    light = Light(pictures[len(pictures) // 2])
+    gains = [light.step(picture)[0] for picture in pictures]
+    means = [0.0 if gain is None else float(np.log(gain).mean()) for gain in gains]
+    if max(np.abs(means)) < _SWITCHED:
+        return pictures
+    return [
+        picture if gain is None else lit(picture, np.float32(1) / gain)
+        for picture, gain in zip(pictures, gains, strict=True)
+    ]
+
+
 def _empty_scene(file: Path, frames: Frames) -> Picture:
     """Read the picture of the empty scene, in the size of the source's."""
     height, width = frames.size
     picture = read_picture(file, max(height, width))
-    if abs(np.log(picture.shape[1] / picture.shape[0] * height / width)) > _SQUARE:
+    if not alike(picture.shape, (height, width)):
         raise InputError(
             f"the background '{file}' is {picture.shape[1]}x{picture.shape[0]} and pictures of "
             f"{frames.name} are {width}x{height}: give a picture of the same camera"

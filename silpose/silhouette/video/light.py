@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from silpose.core.types import Array, Array32
-from silpose.silhouette.video.frame import Picture
+from silpose.silhouette.video.frame import Picture, reduced
 
 _GRID = 48  # cells along the longer side, of which each has one brightness
 _OFFSET = 8.0  # grey levels added to both, so that noise of dark cells is no ratio
@@ -73,8 +73,8 @@ class Light:
         return self._gain, switched
 
     def _logs(self, picture: Picture) -> Array:
-        small = cv2.resize(picture, self._grid, interpolation=cv2.INTER_AREA)
-        return np.log(np.asarray(small, np.float64).reshape(-1, 3) + _OFFSET)
+        small = reduced(picture, *self._grid)
+        return np.log(small.reshape(-1, 3).astype(np.float64) + _OFFSET)
 
     def _fit(self, logs: Array) -> Array:
         """Fit the surface to cells (C, 3), without those that are off in any colour."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from time import monotonic
 
 from silpose.core.types import Mask
 from silpose.silhouette.person import MaskFacts
@@ -31,6 +32,10 @@ class MaskedFrame:
         Whether a light was switched within the last frames, so that the mask is doubtful.
     learning : bool
         Whether the background is still being learnt.
+    arrived : float, optional
+        When the picture was there, as of `Frame`.
+    gone : bool
+        Whether the camera gives no pictures at this time.
     """
 
     index: int
@@ -41,6 +46,8 @@ class MaskedFrame:
     moved: bool = False
     switched: bool = False
     learning: bool = False
+    arrived: float = field(default_factory=monotonic)
+    gone: bool = False
 
     @property
     def seen(self) -> bool:
@@ -51,10 +58,10 @@ class MaskedFrame:
     def state(self) -> str:
         """The gravest of what is known of the frame.
 
-        ``moved``, ``learning``, ``switched``, why there is no person (``blank``, ``fragment`` or
-        ``filled``), or ``person``.
+        ``gone``, ``moved``, ``learning``, ``switched``, why there is no person (``blank``,
+        ``fragment`` or ``filled``), or ``person``.
         """
-        for name in ("moved", "learning", "switched"):
+        for name in ("gone", "moved", "learning", "switched"):
             if getattr(self, name):
                 return name
         if self.seen:

@@ -15,6 +15,7 @@ from silpose.silhouette.masks.image_files import IMAGES
 from silpose.silhouette.video.film_frames import FilmFrames
 from silpose.silhouette.video.folder_frames import FolderFrames
 from silpose.silhouette.video.frame import Frame
+from silpose.silhouette.video.live_frames import LiveFrames
 
 WANTED = "give a video, a folder of pictures, the index of a camera or the address of a stream"
 
@@ -24,6 +25,7 @@ class Frames(Protocol):
 
     frames_per_second: float | None
     is_live: bool
+    announced: int
 
     @property
     def size(self) -> tuple[int, ...]:
@@ -77,9 +79,9 @@ def open_source(
         if written.lstrip("-").isdecimal():
             if int(written) < 0:
                 raise InputError(f"there is no camera {written}: the first one is 0")
-            return FilmFrames(int(written), longest_side, rate)
+            return LiveFrames(int(written), longest_side, rate)
         if "://" in written:
-            return FilmFrames(written, longest_side, rate)
+            return LiveFrames(written, longest_side, rate)
     if path.suffix.lower() in IMAGES and path.suffix.lower() not in (".gif",):
         raise InputError(f"'{source}' is one picture: {WANTED}")
     return FilmFrames(path, longest_side, rate)

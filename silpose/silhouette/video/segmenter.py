@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import warnings
 
+import numpy as np
+
 from silpose.silhouette.video.backgrounds import Background
 from silpose.silhouette.video.camera_motion import CameraMotion
 from silpose.silhouette.video.clean_up import connected_to, fill_holes, morphology
@@ -21,7 +23,8 @@ class Segmenter:
     Parameters
     ----------
     background : Background
-    motion : CameraMotion
+    motion : CameraMotion or None
+        None where masks are right of a camera that moves, too.
     person : FollowedPerson
     opening, closing : float
         Width of what morphology removes and bridges, as a share of the picture's longer side.
@@ -38,7 +41,7 @@ class Segmenter:
     def __init__(
         self,
         background: Background,
-        motion: CameraMotion,
+        motion: CameraMotion | None,
         person: FollowedPerson,
         *,
         opening: float,
@@ -68,25 +71,31 @@ class Segmenter:
             Once, when the camera moves, and once if there are several people and none is chosen.
         """
         picture = frame.picture
+        if frame.gone:
+            nobody, facts = self.person.step(np.zeros(picture.shape[:2], np.uint8), frame.time)
+            return MaskedFrame(
+                frame.index, frame.time, picture, nobody, facts, arrived=frame.arrived, gone=True
+            )
         side, pixels = max(picture.shape[:2]), picture.shape[0] * picture.shape[1]
         found = self.background.step(picture)
         mask = morphology(found.weak, self.opening * side, self.closing * side)
         mask = connected_to(mask, found.strong, self.smallest * pixels)
         mask = fill_holes(mask, self.hole * float(mask.sum()))
         alone, facts = self.person.step(mask, frame.time)
-        if self._steps % _LOOK_EVERY == 0:
-            self._look_at_motion(frame)
+        if self.motion is not None and self._steps % _LOOK_EVERY == 0:
+            self._look_at_motion(frame, self.motion)
         if found.switched:
             self._switched = self._steps
         doubted = self._steps < self._switched + _DOUBTED
         learning = self._steps < self.learning
         self._steps += 1
         return MaskedFrame(
-            frame.index, frame.time, picture, alone, facts, self._moved, doubted, learning
-        )
+            frame.index, frame.time, picture, alone, facts, self._moved, doubted, learning,
+            frame.arrived,
+        )  # fmt: skip
 
-    def _look_at_motion(self, frame: Frame) -> None:
-        self._moved = self.motion.step(frame.picture)
+    def _look_at_motion(self, frame: Frame, motion: CameraMotion) -> None:
+        self._moved = motion.step(frame.picture)
         if self._moved and not self._said_moved:
             self._said_moved = True
             warnings.warn(

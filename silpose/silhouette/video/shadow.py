@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+from numba import njit
 
 from silpose.core.types import Mask
 from silpose.silhouette.video.frame import Picture
@@ -43,14 +44,33 @@ def shadow(
     if not width:
         return shadows
     part = slice(top, top + height), slice(left, left + width)
-    where = np.nonzero(mask[part])
     # A pixel's noise is as large as its chroma: colours are averaged over their neighbours.
-    seen = cv2.blur(picture[part], (3, 3))[where].astype(np.float32)
-    usual = cv2.blur(background[part], (3, 3))[where].astype(np.float32)
-    square = np.maximum(np.einsum("nc,nc->n", usual, usual), 1)
-    share = np.einsum("nc,nc->n", seen, usual) / square
-    off = seen - share[:, None] * usual
-    distance = np.sqrt(np.einsum("nc,nc->n", off, off) / square)
-    found = (share >= darkest) & (share < _SHADE) & (distance <= chroma) & (square > _DARK**2)
-    shadows[part][where] = found
+    seen, usual = (np.asarray(cv2.blur(own[part], (3, 3)), np.uint8) for own in
+                   (picture, background))  # fmt: skip
+    _tell(seen, usual, mask[part], darkest, chroma, shadows[part])
     return shadows
+
+
+@njit(cache=True)
+def _tell(
+    seen: Picture, usual: Picture, mask: Mask, darkest: float, chroma: float, shadows: Mask
+) -> None:
+    """Mark the shadows among pixels of a mask."""
+    for row in range(mask.shape[0]):
+        for column in range(mask.shape[1]):
+            if mask[row, column] == 0:
+                continue
+            square, product = 0.0, 0.0
+            for c in range(3):
+                square += float(usual[row, column, c]) ** 2
+                product += float(seen[row, column, c]) * float(usual[row, column, c])
+            if square <= _DARK**2:
+                continue
+            share = product / square
+            if not darkest <= share < _SHADE:
+                continue
+            off = 0.0
+            for c in range(3):
+                off += (float(seen[row, column, c]) - share * float(usual[row, column, c])) ** 2
+            if off <= chroma**2 * square:
+                shadows[row, column] = 1

@@ -6,11 +6,13 @@ import queue
 import threading
 import time
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from silpose.silhouette.video.frame import Frame
 
 _AHEAD = 8  # frames of a film that wait, at most
 _AHEAD_LIVE = 2
+_RELEASED = 2.0  # seconds until a camera should be released
 _POLL = 0.1  # seconds after which the thread looks whether it is still wanted
 
 
@@ -56,7 +58,7 @@ class Threaded:
                 yield item
         finally:
             unwanted.set()
-            thread.join()
+            thread.join(_RELEASED if self.drop else None)  # a camera may not answer any more
 
     def _decode(
         self, waiting: queue.Queue[Frame | BaseException | None], unwanted: threading.Event
@@ -68,6 +70,7 @@ class Threaded:
             for frame in frames:
                 if self.real_time:
                     unwanted.wait(max(0.0, start + frame.time - time.monotonic()))
+                    frame = replace(frame, arrived=time.monotonic())
                 if unwanted.is_set():
                     break
                 self._hand_over(frame, waiting, unwanted)

@@ -8,12 +8,13 @@ from collections.abc import Iterator
 from silpose.core.errors import InputError
 from silpose.silhouette.masks import MaskSequence
 from silpose.silhouette.person import check_person
-from silpose.silhouette.video.backgrounds import Background, Shadows
+from silpose.silhouette.video.backgrounds import ADAPTIVE, Background, Shadows
 from silpose.silhouette.video.camera_motion import CameraMotion
 from silpose.silhouette.video.checks import check_background, check_numbers
 from silpose.silhouette.video.followed_person import FollowedPerson
 from silpose.silhouette.video.learnt_background import learn_background
 from silpose.silhouette.video.masked_frame import MaskedFrame
+from silpose.silhouette.video.neural_background import NeuralBackground
 from silpose.silhouette.video.open_source import open_source
 from silpose.silhouette.video.segmenter import Segmenter
 from silpose.silhouette.video.threaded import Threaded
@@ -28,9 +29,11 @@ class VideoMasks:
     source : path, int or str
         A video, a folder of pictures, the index of a camera (also as text), or the address of a
         stream, such as ``rtsp://…``.
-    background : str, default="median"
+    background : str or None, default=None
         What the scene is without the person: median of a sample of the clip, mog2 or knn (learnt
         and adapted as by OpenCV; for a camera, too), or the path of a picture of the empty scene.
+        None is median for a clip, mog2 for a camera.
+        Or selfie: there is none, as a neural network finds people, MediaPipe's.
     samples : int, default=40
         Frames of a clip, evenly over it, from which the background is learnt beforehand.
     history : int, default=500
@@ -69,6 +72,8 @@ class VideoMasks:
     real_time : bool, default=False
         Whether a film plays at its own rate, dropping frames rather than falling behind, as a
         camera does.
+    environment : str or None, default=None
+        Folder of a Python environment that has MediaPipe 0.10.21, for selfie; null is this one.
 
     Raises
     ------
@@ -84,7 +89,7 @@ class VideoMasks:
     def __init__(
         self,
         source: str | os.PathLike[str] | int,
-        background: str = "median",
+        background: str | None = None,
         samples: int = 40,
         history: int = 500,
         threshold: float = 20,
@@ -102,8 +107,8 @@ class VideoMasks:
         first: int = 0,
         last: int | None = None,
         real_time: bool = False,
+        environment: str | None = None,
     ) -> None:
-        self.background = background
         self.samples, self.history = samples, history
         self.threshold = threshold
         self.shadows = shadows
@@ -114,16 +119,19 @@ class VideoMasks:
         self.longest_side = longest_side
         self.camera_shift = camera_shift
         self.first, self.last = first, last
-        self.real_time = real_time
+        self.real_time, self.environment = real_time, environment
         check_numbers(self, frames_per_second)
-        check_background(background)
+        if background is not None:
+            check_background(background)
         self.frames = open_source(source, longest_side, frames_per_second)
         if self.frames.is_live and background == "median":
             self.frames.close()
             raise InputError(
                 f"{self.frames.name} has no whole clip to take a median of: give "
-                "background='mog2' or 'knn', or the path of a picture of the empty scene"
+                "silhouette.video.background=mog2, knn, selfie, or the path of a picture of the "
+                "empty scene (in Python background='mog2' and so on)"
             )
+        self.background = background or ("mog2" if self.frames.is_live else "median")
         self.dropped = 0
 
     @property
@@ -131,11 +139,15 @@ class VideoMasks:
         """Frames per second that the source tells, or was given; None if neither."""
         return self.frames.frames_per_second
 
+    @property
+    def is_live(self) -> bool:
+        """Whether frames come when they do, as of a camera: some may have to be dropped."""
+        return self.frames.is_live or self.real_time
+
     def __iter__(self) -> Iterator[MaskedFrame]:
         """Decode and segment frame by frame."""
         segmenter = self._segmenter()
-        live = self.frames.is_live or self.real_time
-        decoded = Threaded(self.frames, drop=live, real_time=self.real_time)
+        decoded = Threaded(self.frames, drop=self.is_live, real_time=self.real_time)
         seen = False
         for frame in decoded:
             self.dropped = decoded.dropped
@@ -172,11 +184,12 @@ class VideoMasks:
         return mask_sequence(self, self.frames.name, self.frames_per_second)
 
     def _segmenter(self) -> Segmenter:
-        adapts = self.background in ("mog2", "knn")
+        adapts = self.background in ADAPTIVE
         unlearnt = adapts and self.frames.is_live
+        rests = CameraMotion(self.camera_shift, renew=20 if adapts else None)
         return Segmenter(
             self._background(),
-            CameraMotion(self.camera_shift, renew=20 if adapts else None),
+            None if self.background == "selfie" else rests,
             FollowedPerson(self.person),
             opening=self.opening,
             closing=self.closing,
@@ -187,6 +200,8 @@ class VideoMasks:
         )
 
     def _background(self) -> Background:
+        if self.background == "selfie":
+            return NeuralBackground(self.environment)
         shadows = Shadows(self.shadow_darkest, self.shadow_chroma) if self.shadows else None
         return learn_background(
             self.background, self.frames, self.samples, self.history, self.threshold, shadows

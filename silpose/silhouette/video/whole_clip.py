@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -51,18 +51,7 @@ def mask_sequence(frames: Iterable[MaskedFrame], source: str, rate: float | None
     notes = [f"{count} frames: {state}" for state, count in states.items()]
     if len(order) != len(masks) or (order != np.arange(len(masks))).any():
         notes.append(f"frames at uneven times, taken {even:.4g} times a second")
-    doubts = [
-        f"{count} of {len(masks)} frames of {source} are '{state}': {_WHY[state]}"
-        for state, count in states.items()
-        if state in _WHY and count > _BAD * len(masks)
-    ]
-    if not any(mask.any() for mask in masks):
-        doubts.append(
-            f"nobody is told from the background in {source}: does the person move, and is there "
-            "light? try threshold=8, or give a picture of the empty scene as background='FILE'"
-        )
-    for doubt in doubts:
-        warnings.warn(doubt, UserWarning, stacklevel=3)
+    doubts = doubts_of(states, any(mask.any() for mask in masks), source)
     return MaskSequence(
         [masks[k] for k in order],
         [names[k] for k in order],
@@ -70,17 +59,51 @@ def mask_sequence(frames: Iterable[MaskedFrame], source: str, rate: float | None
         "pictures without their background",
         even,
         tuple(notes),
-        tuple(doubts),
+        doubts,
     )
 
 
+_HOW = "silhouette.video.background=FILE (in Python background='FILE')"
 _WHY = {
     "switched": "the light changes too often for a background; give it constant light",
-    "filled": "the background is another one; give a picture of the empty scene as "
-    "background='FILE'",
+    "filled": "the background is another one; give a picture of the empty scene, " + _HOW,
     "fragment": "the person may stay in one place, and be a part of the background; give a picture "
-    "of the empty scene as background='FILE'",
+    "of the empty scene, " + _HOW,
 }
+
+
+def doubts_of(states: Mapping[str, int], anybody: bool, source: str) -> tuple[str, ...]:
+    """Say what may be wrong with a clip, and warn of it.
+
+    Parameters
+    ----------
+    states : mapping of str to int
+        How many frames are in which state.
+    anybody : bool
+        Whether there is a person in any frame.
+    source : str
+        What the clip is called in messages.
+
+    Returns
+    -------
+    doubts : tuple of str
+        A sentence each.
+    """
+    frames = sum(states.values())
+    doubts = [
+        f"{count} of {frames} frames of {source} are '{state}': {_WHY[state]}"
+        for state, count in states.items()
+        if state in _WHY and count > _BAD * frames
+    ]
+    if not anybody:
+        doubts.append(
+            f"nobody is told from the background in {source}: does the person move, and is there "
+            "light? try silhouette.video.threshold=8 (in Python threshold=8), or give a picture of "
+            f"the empty scene, {_HOW}"
+        )
+    for doubt in doubts:
+        warnings.warn(doubt, UserWarning, stacklevel=4)
+    return tuple(doubts)
 
 
 def even_times(time: Array, rate: float | None) -> tuple[Indices, float | None]:

@@ -19,6 +19,7 @@ VIEWS = {
     "modes": 7,
     "hypotheses": 9,
     "fitting": 10,
+    "video": 10,
 }
 
 

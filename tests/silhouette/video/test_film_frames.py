@@ -71,14 +71,6 @@ def test_what_cannot_be_decoded_is_named_with_a_remedy(tmp_path, capfd):
     assert capfd.readouterr().err == ""
 
 
-@pytest.mark.parametrize(
-    ("source", "words"), [(97, "no camera 97"), ("udp://[::1", "no stream at")]
-)
-def test_no_camera_and_no_stream_are_said(source, words):
-    with pytest.raises(InputError, match=words):
-        FilmFrames(source, 960)
-
-
 def test_a_film_that_is_cut_off_is_said(tmp_path):
     rng = np.random.default_rng(0)
     noise = [rng.integers(0, 255, (48, 64, 3), np.uint8) for _ in range(40)]

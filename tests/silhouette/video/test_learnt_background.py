@@ -1,10 +1,10 @@
 import cv2
 import numpy as np
 import pytest
-from video_films import wall, write_film
+from video_films import overlap, wall, write_film
 
 from silpose.core.errors import InputError
-from silpose.silhouette.video import open_source
+from silpose.silhouette.video import VideoMasks, open_source
 from silpose.silhouette.video.backgrounds import Shadows
 from silpose.silhouette.video.learnt_background import learn_background
 
@@ -43,3 +43,12 @@ def test_a_grey_film_has_no_shadow_rule_and_it_is_said(tmp_path, pictures):
     film = write_film(tmp_path / "grey.avi", grey, codec="FFV1")
     with pytest.warns(UserWarning, match="is grey, so shadows are not told"):
         assert learn(film).shadows is None
+
+
+def test_a_light_that_is_switched_halfway_does_not_hide_the_person(tmp_path, pictures, truth):
+    brighter = [(1.4 * picture).clip(0, 255).astype(np.uint8) for picture in pictures]
+    film = write_film(tmp_path / "switched.mp4", [*pictures[:16], *brighter[16:]])
+    video = VideoMasks(film)
+    shares = [overlap(frame.mask, mask) for frame, mask in zip(video, truth, strict=True)]
+    assert np.median(shares[:16]) > 0.8
+    assert np.median(shares[19:]) > 0.8

@@ -1,0 +1,83 @@
+"""Trained models in the user's cache folder, named by all that training depends on."""
+
+from __future__ import annotations
+
+import tempfile
+import warnings
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Self
+
+from platformdirs import user_cache_path
+
+from silpose.core.errors import InputError
+from silpose.model.descriptor_cache import DESCRIPTORS
+from silpose.model.digest import digest
+from silpose.model.loading import load
+from silpose.model.model_file import FORMAT
+from silpose.model.pose_model import PoseModel
+
+
+@dataclass(frozen=True)
+class ModelCache:
+    """One file, that of a model.
+
+    Attributes
+    ----------
+    file : Path
+
+    See Also
+    --------
+    ModelCache.of : Names the file.
+    """
+
+    file: Path
+
+    @classmethod
+    def of(cls, trained_by: str, folder: str | Path | None = None) -> Self:
+        """Name the file by what training depends on.
+
+        Parameters
+        ----------
+        trained_by : str
+            Name of all settings of the training.
+        folder : path, optional
+            By default the user's cache folder, such as ``~/.cache/silpose``, or that of
+            ``XDG_CACHE_HOME``.
+        """
+        place = user_cache_path("silpose", appauthor=False) if folder is None else Path(folder)
+        name = digest([version("silpose"), FORMAT, DESCRIPTORS, trained_by])
+        return cls(place.expanduser() / f"model_{name}.npz")
+
+    def fetch(self) -> PoseModel | None:
+        """Load the model; None if there is none, or with a warning if its file is damaged."""
+        if not self.file.is_file():
+            return None
+        try:
+            return load(self.file)
+        except InputError:
+            warnings.warn(f"'{self.file}' is damaged: the model is trained anew", stacklevel=2)
+            return None
+
+    def store(self, model: PoseModel) -> bool:
+        """Save the model, complete or not at all, also where several programs do so at once.
+
+        Returns
+        -------
+        stored : bool
+            False, with a warning, where nothing can be written.
+        """
+        try:
+            self.file.parent.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryDirectory(dir=self.file.parent) as own:
+                model.save(Path(own) / "model.npz")
+                (Path(own) / "model.npz").replace(self.file)
+        except OSError as error:
+            warnings.warn(
+                f"cannot keep the model in '{self.file.parent}' ({error.strerror}), so that it is "
+                "trained anew the next time: choose another folder, cache=FOLDER",
+                stacklevel=2,
+            )
+            return False
+        return True
