@@ -3,10 +3,16 @@
 import doctest
 import importlib
 import re
+import shlex
 import tomllib
 from pathlib import Path
 
 import pytest
+
+from silpose.app.commands import TOOLS
+from silpose.app.config import load
+from silpose.app.verbs import EXPERIMENT_VERBS, overrides_of
+from silpose.experiments import EXPERIMENTS
 
 PROJECT = Path(__file__).parents[1]
 
@@ -18,19 +24,46 @@ def test_examples_in_docstrings_run(module):
     assert result.failed == 0
 
 
-def test_the_readme_names_what_exists():
-    readme = (PROJECT / "README.md").read_text()
-    for name in re.findall(r"^\| `(\w+)` \|", readme, flags=re.MULTILINE):
-        places = [PROJECT / "silpose" / name, PROJECT / "conf" / "experiment" / f"{name}.yaml"]
-        assert any(place.exists() for place in places), name
-    for link in re.findall(r"\]\((?!http)([^)]+)\)", readme):
-        assert (PROJECT / link).exists(), link
+PAGES = [PROJECT / "README.md", *sorted((PROJECT / "docs").rglob("*.md"))]
 
 
-def test_the_readme_maps_every_package_to_its_layer():
-    readme = (PROJECT / "README.md").read_text()
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_links_lead_somewhere(page):
+    for link in re.findall(r"\]\((?!http)([^)#]+)", page.read_text()):
+        assert (page.parent / link).exists(), link
+
+
+def test_every_experiment_is_documented_and_none_that_does_not_exist():
+    rows = re.findall(r"^\| (`.+?`) \|", (PROJECT / "docs" / "paper.md").read_text(), re.MULTILINE)
+    documented = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+    reached_by_verbs = {"masks", "motion_report", "predict", "video"}
+    assert documented == {*EXPERIMENTS} - reached_by_verbs
+
+
+def commands(page):
+    """Lines of a page that begin with ``silpose``, as arguments."""
+    text = page.read_text().replace("\\\n", " ")
+    for block in re.findall(r"```sh\n(.*?)```", text, re.DOTALL):
+        for line in block.splitlines():
+            if line.startswith("silpose "):
+                yield shlex.split(line, comments=True)[1:]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_commands_are_understood(page):
+    for arguments in commands(page):
+        verb, *rest = arguments
+        if verb in EXPERIMENT_VERBS:
+            load(overrides_of(verb, rest))
+        elif verb not in TOOLS:
+            sweep = "-m" in arguments  # whose first job is looked at
+            load([a.split(",")[0] if sweep else a for a in arguments if a != "-m"])
+
+
+def test_the_documentation_maps_every_package_to_its_layer():
+    design = (PROJECT / "docs" / "design.md").read_text()
     documented: dict[int, set[str]] = {}
-    for layer, name in re.findall(r"^\| (\d) \| `(\w+)` \|", readme, flags=re.MULTILINE):
+    for layer, name in re.findall(r"^\| (\d) \| `(\w+)` \|", design, flags=re.MULTILINE):
         documented.setdefault(int(layer), set()).add(name)
     settings = tomllib.loads((PROJECT / "pyproject.toml").read_text())
     (contract,) = settings["tool"]["importlinter"]["contracts"]

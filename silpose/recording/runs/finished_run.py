@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -69,6 +70,15 @@ class FinishedRun:
         """Text of the run for the terminal; empty where the experiment has none."""
         file = self.folder / "report.txt"
         return file.read_text(encoding="utf-8") if file.is_file() else ""
+
+    @property
+    def rows(self) -> list[dict[str, str]]:
+        """Rows of ``results.csv``, values by column; none where the experiment has no such file."""
+        file = self.folder / "results.csv"
+        if not file.is_file():
+            return []
+        with file.open(encoding="utf-8", newline="") as lines:
+            return list(csv.DictReader(lines))
 
     @property
     def poses(self) -> dict[str, Array]:
