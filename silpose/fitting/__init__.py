@@ -7,7 +7,7 @@ from silpose.fitting.evidence import EVIDENCE
 from silpose.fitting.fit import Fit
 from silpose.fitting.fitted_body import fitted_silhouettes, overlap_classes
 from silpose.fitting.matching import Matching
-from silpose.fitting.options import FittingOptions
+from silpose.fitting.options import ChosenOptions, FittingOptions
 from silpose.fitting.overlap import overlap
 from silpose.fitting.prior import PosePrior
 from silpose.fitting.stream import TOLERATED, FitterStream
@@ -18,6 +18,7 @@ __all__ = [
     "EVIDENCE",
     "TOLERATED",
     "BodyFitter",
+    "ChosenOptions",
     "Confidence",
     "Fit",
     "FitterStream",

@@ -2,33 +2,31 @@
 
 from __future__ import annotations
 
-from math import exp
-
 import numpy as np
+from numba import njit
 
 from silpose.core.types import Array, Mask
 from silpose.fitting.contour import SPACING, Contour
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.kinematics import pose_tree
+from silpose.fitting.outline import project
 from silpose.fitting.parameters import ANGLES, LOG_SCALE, SHIFT_X, SHIFT_Y, seen_by, shaped_by
 from silpose.fitting.view import View
 from silpose.silhouette import fill_pieces
 
 
+@njit(cache=True, nogil=True)
 def projected_links(parameters: Array, root: Array, geometry: Geometry, view: View) -> Array:
     """Project the links' points of the body that parameters (P,) describe, shape (L, K, 2)."""
     shaped, seen = shaped_by(parameters, geometry), seen_by(parameters, view)
     rotations, positions, _ = pose_tree(parameters[:ANGLES], shaped)
-    turned = shaped.points @ np.swapaxes(rotations[shaped.nodes], 1, 2)
-    x, y, z = np.moveaxis(turned + positions[shaped.nodes][:, None] + root, -1, 0)
-    sine, cosine = np.sin(seen.elevation), np.cos(seen.elevation)
-    unit = exp(seen.log_scale) * seen.focal
-    unit = unit / np.maximum(seen.distance - sine * y - cosine * z, 1e-3)
-    across = unit * x + seen.centre_x + seen.shift_x
-    down = unit * (sine * z - cosine * y) + seen.centre_y + seen.shift_y
-    flat = np.stack([across, down], axis=-1)
-    for link, count in enumerate(shaped.counts):  # padding repeats a point of the link's own
-        flat[link, count:] = flat[link, 0]
+    flat = np.empty((*shaped.points.shape[:2], 2))
+    for link in range(len(flat)):
+        node, count = shaped.nodes[link], shaped.counts[link]
+        project(
+            shaped.points[link], count, rotations[node], positions[node] + root, seen, flat[link]
+        )
+        flat[link, count:] = flat[link, 0]  # padding repeats a point of the link's own
     return flat
 
 
