@@ -120,19 +120,12 @@ def _train(components: Components, method: str) -> PoseModel:
 
 
 def _with_options(model: PoseModel, options: FittingOptions) -> PoseModel:
-    """Fit as in the model's training, but for options that differ from their defaults."""
-    fitter = model.fitter
-    if fitter is None:
+    """Fit as in the model's training, but for what options say."""
+    if model.fitter is None:
         raise InputError(
             "this model has no fitter: train one with fitting.enabled=true, or leave out model=…"
         )
-    body, usual = fitter.fitter, FittingOptions()
-    own = FittingOptions(
-        True, body.camera_is, body.shape_is, body.whole_take, body.iterations, fitter.starts,
-        body.prior.lasting, body.prior.seconds,
-    )  # fmt: skip
-    changed = {n: v for n, v in vars(options).items() if v != getattr(usual, n)}
-    return replace(model, fitter=fitter.with_options(replace(own, **changed)))
+    return replace(model, fitter=model.fitter.with_options(options))
 
 
 @timed("masks")

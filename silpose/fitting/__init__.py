@@ -13,7 +13,7 @@ from silpose.fitting.fitted_body import (
 )
 from silpose.fitting.geometry import SHAPES
 from silpose.fitting.matching import Matching
-from silpose.fitting.options import FittingOptions
+from silpose.fitting.options import ChosenOptions, FittingOptions
 from silpose.fitting.overlap import overlap
 from silpose.fitting.prior import PosePrior
 from silpose.fitting.stream import TOLERATED, FitterStream
@@ -25,6 +25,7 @@ __all__ = [
     "SHAPES",
     "TOLERATED",
     "BodyFitter",
+    "ChosenOptions",
     "Confidence",
     "Fit",
     "FitterStream",

@@ -19,7 +19,7 @@ from silpose.fitting.fit import Fit
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.matching import Matching
 from silpose.fitting.overlap import outline_error
-from silpose.fitting.parameters import ANGLES, PARAMETERS, SHAPE
+from silpose.fitting.parameters import ANGLES, ELEVATION, PARAMETERS, SHAPE
 from silpose.fitting.prior import PosePrior
 from silpose.fitting.problem import KNOWN, SHIFT_DEVIATION, Problem
 from silpose.fitting.view import View
@@ -31,6 +31,9 @@ Knowledge = Literal["known", "estimated"]
 # Standard deviations of what is not known: a frame's log scale, from where the take's frames have
 # it, as the person comes nearer; elevation and shape.
 _SCALE, _ELEVATION_DEG, _SHAPE = 0.03, 2.5, 0.7
+_BETWEEN = 3  # frames of a take of which one is fitted from all starts
+_SOME = 16  # frames that tell whether clothes are worn
+_LONG = 10.0  # seconds after which estimates err anew
 _BARE = 0.5  # pixels that the outline is off up to which masks are those of a bare body
 
 
@@ -101,7 +104,7 @@ class BodyFitter:
         fit : Fit
         """
         known = self.camera_is == self.shape_is == "known"
-        starts = _parameters_of(start, others, 0 if known else PARAMETERS - ANGLES)
+        starts = _parameters_of(start, others, 0 if known else ELEVATION - ANGLES)
         places = np.zeros((len(starts), 3)) if roots is None else np.asarray(roots, dtype=float)
         if not len(masks) == len(starts) == len(places):
             raise InputError(
@@ -127,19 +130,30 @@ class BodyFitter:
         )  # fmt: skip
         if self.camera_is == "estimated":
             problem = problem.with_aligned_starts()
-        fit = self._solve(problem, 1 / frames_per_second)
-        if self.shape_is == "estimated" and _outline_error(problem, fit) > _BARE:
-            problem = replace(problem, matching=self.matching.clothed())
-            fit = self._solve(problem, 1 / frames_per_second)
-        return fit
+        if not known:
+            problem = self._dressed(problem)
+        return self._solve(problem, 1 / frames_per_second)
+
+    def _dressed(self, problem: Problem) -> Problem:
+        """Allow for clothes if, of some frames, no shape explains the masks without."""
+        if self.shape_is == "known":
+            return problem
+        some = problem.some_frames(_SOME)
+        own = np.stack([modes.parameters[0] for modes in some.modes()])
+        found = some.together(own, _LONG)[0] if self.whole_take else some.complete(own)
+        if _outline_error(some, found) > _BARE:
+            return replace(problem, matching=self.matching.clothed())
+        return problem
 
     def _solve(self, problem: Problem, step_seconds: float) -> Fit:
-        modes = problem.modes()
+        modes = problem.modes(_BETWEEN if self.whole_take else 1)
         if self.whole_take:
             modes = with_carried(problem, modes)
         parameters, covariance = problem.path_through(modes, step_seconds)
         if self.whole_take:
             parameters, covariance = problem.together(parameters, step_seconds)
+        else:
+            parameters = problem.complete(parameters)
         return answer_of(problem, parameters, covariance, modes, self.confidence)
 
     @property
@@ -172,19 +186,17 @@ class BodyFitter:
         return free
 
 
-def _outline_error(problem: Problem, fit: Fit) -> float:
+def _outline_error(problem: Problem, parameters: Array) -> float:
     """Pixels by which the outline is off in the median frame."""
     errors = [
-        outline_error(
-            fit.iou[f], problem.masks[f], problem.contours[f], problem.working.enlargement
-        )
-        for f in problem.frames
+        outline_error(iou, problem.masks[f], problem.contours[f], problem.working.enlargement)
+        for f, iou in zip(problem.frames, problem.overlaps(parameters), strict=True)
     ]
     return float(np.median(errors))
 
 
 def _parameters_of(start: ArrayLike, others: ArrayLike | None, free: int) -> Array:
-    """Parameters (F, 1 + S, 54 + free) of poses."""
+    """Parameters (F, 1 + S, 54 + free) of poses, the free ones 0."""
     poses = np.asarray(start, dtype=float)[:, None]
     if others is not None and np.shape(others)[1]:
         poses = np.concatenate([poses, np.asarray(others, dtype=float)], axis=1)

@@ -48,9 +48,11 @@ def _carried(problem: Problem, modes: Sequence[Modes], order: Iterable[int]) -> 
         if last is not None:
             start = last.copy()
             start[:ANGLES] += step
-            ends[k] = problem.end(problem.frames[k], start)
-            parameters, _, cost = ends[k]
-            if cost < modes[k].costs[0] + _LOST:
+            cheapest = modes[k].costs[0]
+            for end in problem.ends(problem.frames[k], start[None], cheapest):
+                ends[k] = end
+            if k in ends and ends[k][2] < cheapest + _LOST:
+                parameters = ends[k][0]
                 step, last = difference(parameters, last)[:ANGLES], parameters
                 continue
         step, last = np.zeros(ANGLES), modes[k].parameters[0]

@@ -11,11 +11,14 @@ from silpose.fitting.geometry import Geometry
 from silpose.fitting.likelihood import add_evidence, misfit_of
 from silpose.fitting.limits import add_limits
 from silpose.fitting.matching import Matching
-from silpose.fitting.parameters import CONVERGED, difference, take_step
+from silpose.fitting.parameters import ANGLES, CONVERGED, difference, take_step
 from silpose.fitting.view import View
 
 _WIDEST = 2.0  # factor of the outlier scale at first
 _NARROWING = 2.0  # iterations until it is smaller by 1
+_TRIAL = 3  # iterations after which starts are given up
+_HOPELESS = 30.0  # that cost so much more than the best one,
+_ALIKE = np.deg2rad(1.0)  # or differ so little in the mean angle from a cheaper one
 
 
 @njit(cache=True, nogil=True)
@@ -29,6 +32,7 @@ def fit_frame(
     view: View,
     matching: Matching,
     iterations: int,
+    done: int = 0,
 ) -> tuple[Array, Array, float]:
     """Minimise misfit of contours and distance from the prior.
 
@@ -47,6 +51,8 @@ def fit_frame(
         As for `likelihood.add_evidence`.
     iterations : int
         At most.
+    done : int, default=0
+        Iterations that have led to the start.
 
     Returns
     -------
@@ -62,7 +68,7 @@ def fit_frame(
     """
     parameters = start.copy()
     hessian = precision.copy()
-    for k in range(iterations):
+    for k in range(done, iterations):
         hessian = precision.copy()
         gradient = precision @ difference(mean, parameters)
         wide = max(1.0, _WIDEST - k / _NARROWING)
@@ -76,6 +82,68 @@ def fit_frame(
     cost = misfit_of(parameters, root, contour, geometry, view, matching)
     cost += add_limits(parameters, np.zeros_like(hessian), np.zeros_like(off))
     return parameters, hessian, cost + (off * (precision @ off)).sum()
+
+
+@njit(cache=True, nogil=True)
+def fit_starts(
+    starts: Array,
+    mean: Array,
+    precision: Array,
+    root: Array,
+    contour: Contour,
+    geometry: Geometry,
+    view: View,
+    matching: Matching,
+    iterations: int,
+    cheapest: float,
+) -> tuple[Array, Array, Array]:
+    """Fit one frame from several starts, and give those up early that lead nowhere.
+
+    Parameters
+    ----------
+    starts : ndarray, shape (S, P)
+    mean, precision, root, contour, geometry, view, matching, iterations
+        As for `fit_frame`.
+    cheapest : float
+        Cost of the best pose that is known so far.
+
+    Returns
+    -------
+    parameters : ndarray, shape (S, P)
+    hessians : ndarray, shape (S, P, P)
+    costs : ndarray, shape (S,)
+        NaN for starts that were given up: they cost far more than the best one after some
+        iterations, or had come to where a cheaper one is.
+    """
+    count, size = starts.shape
+    ends, hessians = starts.copy(), np.empty((count, size, size))
+    costs, trial = np.empty(count), min(_TRIAL, iterations)
+    for k in range(count):
+        ends[k], hessians[k], costs[k] = fit_frame(
+            starts[k], mean, precision, root, contour, geometry, view, matching, trial
+        )
+    limit = min(cheapest, costs.min()) + _HOPELESS
+    order, tried = np.argsort(costs), ends.copy()
+    for place in range(count):
+        k = order[place]
+        if costs[k] > limit or _among(tried[k], tried[order[:place]], costs[order[:place]]):
+            costs[k] = np.nan
+        elif trial < iterations:
+            ends[k], hessians[k], costs[k] = fit_frame(
+                ends[k], mean, precision, root, contour, geometry, view, matching, iterations, trial
+            )
+    return ends, hessians, costs
+
+
+@njit(cache=True, nogil=True)
+def _among(end: Array, others: Array, costs: Array) -> bool:
+    """Whether angles are nearly those of one of the others that was not given up."""
+    for k in range(len(others)):
+        if np.isfinite(costs[k]):
+            off = difference(end, others[k])
+            if np.abs(off[:ANGLES]).mean() < _ALIKE:
+                return True
+    return False
 
 
 @njit(cache=True, nogil=True)

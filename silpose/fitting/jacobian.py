@@ -29,7 +29,7 @@ OTHERS = 4 + SHAPES
 
 @njit(cache=True)
 def slopes_of(
-    outline: Outline, rotations: Array, root: Array, geometry: Geometry, view: View, free: bool
+    outline: Outline, rotations: Array, root: Array, geometry: Geometry, view: View, others: int
 ) -> Array:
     """Find how the images of an outline's points move.
 
@@ -40,20 +40,20 @@ def slopes_of(
         Of the posed tree's nodes.
     root : ndarray, shape (3,)
     geometry, view
-    free : bool
-        Whether parameters that are no angles are free.
+    others : int
+        Number of parameters that are no angles: 0, 3 for shift and scale, or 14.
 
     Returns
     -------
-    slopes : ndarray, shape (P, 2, 6) or (P, 2, 20)
+    slopes : ndarray, shape (P, 2, 6 + others)
         For the image's x and y the wrench, and pixels per unit of the parameters that are no
         angles.
     """
     world, links, nodes = outline.world, outline.links, geometry.nodes
     sine, cosine = sin(view.elevation), cos(view.elevation)
     scale = exp(view.log_scale) * view.focal
-    slopes = np.zeros((len(links), 2, WRENCH + OTHERS if free else WRENCH))
-    moved = _node_slopes(rotations, geometry) if free else np.empty((0, 0, 0))
+    slopes = np.zeros((len(links), 2, WRENCH + others))
+    moved = _node_slopes(rotations, geometry) if others == OTHERS else np.empty((0, 0, 0))
     for i in range(len(links)):
         px, py, pz = world[i, 0], world[i, 1], world[i, 2]
         x, y, z = px + root[0], py + root[1], pz + root[2]
@@ -67,9 +67,10 @@ def slopes_of(
             slope = slopes[i, row]
             slope[0], slope[1], slope[2] = py * fz - pz * fy, pz * fx - px * fz, px * fy - py * fx
             slope[3], slope[4], slope[5] = fx, fy, fz
-        if free:
+        if others:
             slopes[i, 0, 6], slopes[i, 1, 7] = 1.0, 1.0
             slopes[i, 0, 8], slopes[i, 1, 8] = scale * u, scale * v
+        if others == OTHERS:
             slopes[i, 0, 9] = -unit * u * down
             slopes[i, 1, 9] = unit * (cosine * z + sine * y - v * down)
             link = links[i]

@@ -42,7 +42,7 @@ def add_evidence(
     Parameters
     ----------
     parameters : ndarray, shape (P,)
-        All 68, or the 54 angles.
+        All 68, the 57 of a frame's own, or the 54 angles.
     root : ndarray, shape (3,)
         Metres from what the camera looks at.
     contour : Contour
@@ -64,7 +64,7 @@ def add_evidence(
     if len(outline.pixels) == 0 or len(contour.pixels) == 0:
         return np.inf
     pairs = compare(outline, contour, matching)
-    slopes = slopes_of(outline, rotations, root, shaped, seen, len(parameters) > ANGLES)
+    slopes = slopes_of(outline, rotations, root, shaped, seen, len(parameters) - ANGLES)
     size = slopes.shape[2]
     squares, pulls = np.zeros((len(rotations), size, size)), np.zeros((len(rotations), size))
     _add_pairs(pairs, slopes, shaped.nodes[outline.links], contour.normals, squares, pulls)

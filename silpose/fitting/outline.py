@@ -73,7 +73,7 @@ def outline_of(
     corners, boxes = np.empty((links, most + 1, 2)), np.empty((links, 4))
     for link in range(links):
         node, own = geometry.nodes[link], geometry.counts[link]
-        _project(geometry.points[link], own, rotations[node], positions[node] + root, view, flat)
+        project(geometry.points[link], own, rotations[node], positions[node] + root, view, flat)
         size = _convex_hull(flat[:own], hull)
         hulls[link, :size], sizes[link] = hull[:size], size
         _close(flat, hull, size, corners[link], boxes[link])
@@ -133,7 +133,7 @@ def _mix(
 
 
 @njit(cache=True)
-def _project(
+def project(
     points: Array, count: int, rotation: Array, place: Array, view: View, flat: Array
 ) -> None:
     """Write where a link's points are in the image; its place is relative to the view's."""

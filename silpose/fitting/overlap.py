@@ -3,24 +3,37 @@
 from __future__ import annotations
 
 import numpy as np
+from numba import njit
 
 from silpose.core.types import Array, Mask
 from silpose.fitting.contour import SPACING, Contour
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.kinematics import pose_tree
+from silpose.fitting.outline import project
 from silpose.fitting.parameters import ANGLES, LOG_SCALE, SHIFT_X, SHIFT_Y, seen_by, shaped_by
 from silpose.fitting.view import View, projected
 from silpose.silhouette import fill_pieces
 
 
+@njit(cache=True, nogil=True)
 def projected_links(parameters: Array, root: Array, geometry: Geometry, view: View) -> Array:
     """Project the links' points of the body that parameters (P,) describe, shape (L, K, 2)."""
     shaped, seen = shaped_by(parameters, geometry), seen_by(parameters, view)
     rotations, positions, _ = pose_tree(parameters[:ANGLES], shaped)
+<<<<<<< HEAD
     turned = shaped.points @ np.swapaxes(rotations[shaped.nodes], 1, 2)
     flat = projected(turned + positions[shaped.nodes][:, None] + root, seen)
     for link, count in enumerate(shaped.counts):  # padding repeats a point of the link's own
         flat[link, count:] = flat[link, 0]
+=======
+    flat = np.empty((*shaped.points.shape[:2], 2))
+    for link in range(len(flat)):
+        node, count = shaped.nodes[link], shaped.counts[link]
+        project(
+            shaped.points[link], count, rotations[node], positions[node] + root, seen, flat[link]
+        )
+        flat[link, count:] = flat[link, 0]  # padding repeats a point of the link's own
+>>>>>>> fit
     return flat
 
 

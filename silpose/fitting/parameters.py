@@ -14,7 +14,8 @@ SHIFT_X, SHIFT_Y, LOG_SCALE, ELEVATION, SHAPE = 54, 55, 56, 57, 58
 PARAMETERS = SHAPE + SHAPES
 """54 angles in radians, image shift in pixels, log scale, elevation in radians, 10 of shape.
 
-Where camera and shape are known, the first 54 are all there are.
+The first 57 are a frame's own, the rest is what all frames of a take share. Where that is known,
+there are 57; where camera and shape are, there are the 54 angles.
 """
 
 CONVERGED = 0.02
@@ -29,9 +30,10 @@ def seen_by(parameters: Array, view: View) -> View:
     """Change the view by the parameters."""
     if len(parameters) == ANGLES:
         return view
+    elevation = parameters[ELEVATION] if len(parameters) > ELEVATION else 0.0
     return View(
-        view.focal, view.elevation + parameters[ELEVATION], view.distance, view.centre_x,
-        view.centre_y, view.shift_x + parameters[SHIFT_X], view.shift_y + parameters[SHIFT_Y],
+        view.focal, view.elevation + elevation, view.distance, view.centre_x, view.centre_y,
+        view.shift_x + parameters[SHIFT_X], view.shift_y + parameters[SHIFT_Y],
         view.log_scale + parameters[LOG_SCALE],
     )  # fmt: skip
 
@@ -39,7 +41,7 @@ def seen_by(parameters: Array, view: View) -> View:
 @njit(cache=True)
 def shaped_by(parameters: Array, geometry: Geometry) -> Geometry:
     """Change the body's shape by the parameters."""
-    if len(parameters) == ANGLES:
+    if len(parameters) <= SHAPE:
         return geometry
     offsets, points = geometry.offsets.copy(), geometry.points.copy()
     for k in range(SHAPES):

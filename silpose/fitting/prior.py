@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.stats import norm, t
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES as SPACE
@@ -19,6 +20,8 @@ CONTOUR_SECONDS = 0.11
 _LEAST_DEG = 0.7  # standard deviation that no combination of angles goes below
 _CHANGE_DEG = 1.5  # likewise of a change from frame to frame
 _RATE = 12.0  # radians per second at which motion that comes and goes changes its velocity
+_INTERVAL = 0.9  # in which the truth is as often as a prior of few performers says
+_FEWEST = 3  # performers that there are taken to be at least
 _WRONG_DEG = 60.0  # heading error from which a frame tells nothing of how good estimates err
 
 
@@ -65,16 +68,22 @@ class PosePrior:
         estimated: Sequence[Array],
         frames_per_second: float,
         *,
+        performers: Sequence[str] | None = None,
         lasting: float = 0.3,
         seconds: float = 0.15,
     ) -> PosePrior:
         """Learn the covariances from an estimator's errors on takes it was not trained on.
+
+        The fewer performers there are, the less they tell of another one: if they are told, each
+        counts as one observation, and the covariance is widened as Student's distribution is.
 
         Parameters
         ----------
         true, estimated : sequence of ndarray, each (F, 55)
             Poses of each take.
         frames_per_second : float
+        performers : sequence of str, optional
+            Who is seen in each take; by default there are as many as one needs.
         lasting, seconds : float
             As for the class.
         """
@@ -90,7 +99,10 @@ class PosePrior:
                 f"a pose prior needs 54 held-out frames or more whose heading is right, not "
                 f"{len(errors)}"
             )
-        covariance = errors.T @ errors / len(errors) + _LEAST_DEG**2 * np.eye(54)
+        covariance = errors.T @ errors / len(errors)
+        if performers is not None:
+            covariance *= _widening(len(set(performers)))
+        covariance += _LEAST_DEG**2 * np.eye(54)
         change = velocity.T @ velocity / len(velocity)
         return cls(covariance, change, lasting, seconds)
 
@@ -109,6 +121,12 @@ class PosePrior:
     def precision(self) -> Array:
         """Inverse of the covariance, per radian², shape (54, 54)."""
         return np.linalg.inv(np.deg2rad(np.deg2rad(self.covariance)))
+
+
+def _widening(performers: int) -> float:
+    """Factor of a normal variance whose intervals are as wide as Student's."""
+    end = (1 + _INTERVAL) / 2
+    return float((t.ppf(end, max(performers, _FEWEST)) / norm.ppf(end)) ** 2)
 
 
 def news(step_seconds: float, seconds: float) -> float:

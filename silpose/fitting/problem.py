@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -13,12 +13,20 @@ from silpose.core.parallel import parallel_map
 from silpose.core.types import Array, Indices, Mask
 from silpose.fitting.contour import Contour
 from silpose.fitting.fit import FAR
-from silpose.fitting.frame_fit import cost_of_turning, fit_frame
+from silpose.fitting.frame_fit import cost_of_turning, fit_starts
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.matching import Matching
 from silpose.fitting.modes import Modes, legs_swapped, most_likely_path, spread_around
 from silpose.fitting.overlap import aligned
-from silpose.fitting.parameters import ANGLES, ELEVATION, LOG_SCALE, difference
+from silpose.fitting.parameters import (
+    ANGLES,
+    ELEVATION,
+    LOG_SCALE,
+    PARAMETERS,
+    difference,
+    seen_by,
+    shaped_by,
+)
 from silpose.fitting.prior import PosePrior
 from silpose.fitting.take_fit import fit_take
 from silpose.fitting.view import View
@@ -53,8 +61,8 @@ class Problem:
     prior : PosePrior
     free : ndarray, shape (14,) or (0,)
         Precision of image shift, log scale, elevation and shape; empty if all are known.
-    starts : ndarray, shape (F, S, P)
-        Parameters to start each frame from, the first the prior's mean; NaN is none.
+    starts : ndarray, shape (F, S, 57) or (F, S, 54)
+        Parameters of a frame's own to start from, the first the prior's mean; NaN is none.
     roots : ndarray, shape (F, 3)
     masks : sequence of ndarray, each (H, W)
         At the working size.
@@ -63,6 +71,8 @@ class Problem:
     frames : ndarray of int
         Those that have a contour and a start.
     iterations : int
+    shared : ndarray, shape (11,)
+        Elevation and shape that all frames have as they are fitted by themselves.
     """
 
     geometry: Geometry
@@ -77,11 +87,20 @@ class Problem:
     contours: Sequence[Contour]
     frames: Indices
     iterations: int
+    shared: Array = field(default_factory=lambda: np.zeros(PARAMETERS - ELEVATION))
 
     @property
     def view(self) -> View:
         """The camera at the working size."""
         return self.working.view(self.camera_view)
+
+    @cached_property
+    def _body(self) -> tuple[Geometry, View]:
+        """Body and camera of frames that are fitted by themselves."""
+        if len(self.free) == 0:
+            return self.geometry, self.view
+        every = np.concatenate([np.zeros(ELEVATION), self.shared])
+        return shaped_by(every, self.geometry), seen_by(every, self.view)
 
     def with_aligned_starts(self) -> Problem:
         """Place the body where the contours are, where the camera is not known.
@@ -92,39 +111,48 @@ class Problem:
         for frame in self.frames:
             for start in starts[frame]:
                 if np.isfinite(start[0]):
-                    start[:] = self._align(start, frame)
-        scale = np.median(starts[self.frames, 0, LOG_SCALE])
-        for frame in self.frames:
-            for start in starts[frame]:
-                if np.isfinite(start[0]):
-                    start[:] = self._align(start, frame)
-                    start[LOG_SCALE] = scale
+                    start[:] = aligned(start, self.roots[frame], self.contours[frame], *self._body)
+        starts[..., LOG_SCALE] = np.median(starts[self.frames, 0, LOG_SCALE])
         return replace(self, starts=starts)
 
-    def _align(self, start: Array, frame: int) -> Array:
-        return aligned(start, self.roots[frame], self.contours[frame], self.geometry, self.view)
+    def some_frames(self, count: int) -> Problem:
+        """Leave out all but some frames, spread over the take."""
+        places = np.linspace(0, len(self.frames) - 1, min(count, len(self.frames)))
+        return replace(self, frames=self.frames[np.unique(places.round().astype(int))])
 
-    def modes(self) -> list[Modes]:
-        """Fit every frame of `frames` by itself, from all its starts."""
-        return parallel_map(self._modes, self.frames.tolist(), prefer="threads")
+    def complete(self, parameters: Array) -> Array:
+        """Append what all frames share to parameters (n, 57); where all is known nothing."""
+        if len(self.free) == 0:
+            return parameters
+        shared = np.broadcast_to(self.shared, (len(parameters), len(self.shared)))
+        return np.concatenate([parameters, shared], axis=1)
+
+    def modes(self, every: int = 1) -> list[Modes]:
+        """Fit every frame of `frames` by itself, one of `every` from all its starts.
+
+        The others are fitted from the first two, which are the better ones.
+        """
+        wanted = [(frame, None if k % every == 0 else 2) for k, frame in enumerate(self.frames)]
+        return parallel_map(lambda own: self._modes(*own), wanted, prefer="threads")
 
     @cached_property
     def _precision(self) -> Array:
         """Of the prior of one frame's parameters."""
-        own = self.free.copy()
-        own[ELEVATION - ANGLES :] = KNOWN  # what all frames share is told by all of them only
+        own = self.free[: ELEVATION - ANGLES]  # what all frames share is told by all of them only
         precision: Array = block_diag(self.prior.precision, np.diag(own))
         return precision
 
     def costs_of_turning(self, parameters: Array) -> Array:
         """How much worse each frame is explained by its body (n, P) turned around, (n,)."""
+        geometry, view = replace(self, shared=parameters[0, ELEVATION:])._body
+        parameters = np.ascontiguousarray(parameters[:, :ELEVATION])
         mean = np.concatenate([self._means[:, :ANGLES], parameters[:, ANGLES:]], axis=1)
         precision, iterations = self._precision, max(1, self.iterations // 2)
 
         def cost(own: Array, expected: Array, frame: int) -> float:
             return cost_of_turning(
-                own, expected, precision, self.roots[frame], self.contours[frame], self.geometry,
-                self.view, self.matching, iterations,
+                own, expected, precision, self.roots[frame], self.contours[frame], geometry, view,
+                self.matching, iterations,
             )  # fmt: skip
 
         frames = list(zip(parameters, mean, self.frames, strict=True))
@@ -135,7 +163,7 @@ class Problem:
 
         Returns
         -------
-        parameters : ndarray, shape (n, 68)
+        parameters : ndarray, shape (n, 57) or (n, 54)
         covariance : ndarray, shape (n, 54, 54)
             Of their angles, radians²; that there are other modes adds to it.
         """
@@ -149,16 +177,16 @@ class Problem:
         return parameters, np.linalg.inv(hessians)[:, :ANGLES, :ANGLES] + spread
 
     def together(self, parameters: Array, step_seconds: float) -> tuple[Array, Array]:
-        """Fit all frames as one take, from parameters (n, 68) of its frames.
+        """Fit all frames as one take, from parameters (n, 57) or (n, 54) of its frames.
 
         A frame whose body and mask overlap far less than those of most, or only in a pose far from
         the estimate, is no evidence: there, the frames before and after decide.
         """
-        start = parameters.copy()
-        start[:, ELEVATION:] = np.median(parameters[:, ELEVATION:], axis=0)
-        means = self._means.copy()
+        start = self.complete(parameters)
+        means = np.zeros_like(start)
+        means[:, : parameters.shape[1]] = self._means
         means[:, LOG_SCALE:ELEVATION] = np.median(parameters[:, LOG_SCALE:ELEVATION], axis=0)
-        iou = self.overlaps(parameters)
+        iou = self.overlaps(start)
         near = self.deviations(parameters) <= FAR
         trusted = near & (iou >= _UNLIKE_THE_REST * np.median(iou))
         contours = [
@@ -190,27 +218,29 @@ class Problem:
     def _means(self) -> Array:
         return self.starts[self.frames, 0]
 
-    def end(self, frame: int, start: Array) -> End:
-        """Fit one frame from one start (P,): parameters, their Hessian, and their cost."""
-        parameters, hessian, cost = fit_frame(
-            start, self.starts[frame, 0], self._precision, self.roots[frame], self.contours[frame],
-            self.geometry, self.view, self.matching, self.iterations,
+    def ends(self, frame: int, starts: Array, cheapest: float = np.inf) -> list[End]:
+        """Fit one frame from starts (S, P), of which those that lead nowhere are left out."""
+        parts = fit_starts(
+            starts, self.starts[frame, 0], self._precision, self.roots[frame],
+            self.contours[frame], *self._body, self.matching, self.iterations, cheapest,
         )  # fmt: skip
-        return parameters, hessian, float(cost)
+        ends = [(*end, float(cost)) for *end, cost in zip(*parts, strict=True)]
+        return [end for end in ends if not np.isnan(end[2])]
 
-    def _modes(self, frame: int) -> Modes:
-        """Where the starts of a frame lead, and the best of these with its legs swapped."""
-        starts = self.starts[frame]
-        ends = [self.end(frame, start) for start in starts[np.isfinite(starts[:, 0])]]
+    def _modes(self, frame: int, count: int | None) -> Modes:
+        """Where some starts of a frame lead, and the best of these with its legs swapped."""
+        starts = self.starts[frame, :count]
+        ends = self.ends(frame, starts[np.isfinite(starts[:, 0])])
         if len(starts) > 1:
-            ends.append(self.end(frame, legs_swapped(min(ends, key=lambda e: e[2])[0])))
+            best, _, cost = min(ends, key=lambda end: end[2])
+            ends += self.ends(frame, legs_swapped(best)[None], cost)
         return Modes.of(ends)
 
     def deviations(self, parameters: Array) -> Array:
         """Root mean square of each frame's deviation from the estimate, as `state_of` takes it."""
-        off = np.stack([difference(p, m) for p, m in zip(parameters, self._means, strict=True)])
+        pairs = zip(parameters[:, :ANGLES], self._means[:, :ANGLES], strict=True)
+        angles = np.stack([difference(own, mean) for own, mean in pairs])[:, 1:]
         covariance = np.deg2rad(np.deg2rad(self.prior.covariance[1:, 1:]))
-        angles = off[:, 1:ANGLES]
         squared = (angles * np.linalg.solve(covariance, angles.T).T).sum(axis=1)
         deviations: Array = np.sqrt(squared / (ANGLES - 1))
         return deviations

@@ -77,7 +77,7 @@ def fit_take(
         hessians = np.stack([hessian for hessian, _ in parts])
         gradients = np.stack([gradient for _, gradient in parts])
         errors = np.stack([difference(p, m) for p, m in zip(parameters, mean, strict=True)])
-        new, _ = chain.solve(hessians, gradients, errors)
+        new, _ = chain.solve(hessians, gradients, errors, certainty=False)
         shares = [take_step(p, step) for p, step in zip(parameters, new - errors, strict=True)]
         if max(shares) < CONVERGED:
             break
@@ -136,7 +136,9 @@ class _Chain:
         alike = range(ANGLES, ANGLES + shared)
         self.corner[alike, alike] += free_precision[self.width - ANGLES :]
 
-    def solve(self, hessians: Array, gradients: Array, errors: Array) -> tuple[Array, Array]:
+    def solve(
+        self, hessians: Array, gradients: Array, errors: Array, *, certainty: bool = True
+    ) -> tuple[Array, Array]:
         """Minimise the quadratic model, in terms of parameters less their expected values.
 
         Parameters
@@ -145,11 +147,14 @@ class _Chain:
             Of the likelihood, at the present parameters.
         errors : ndarray, shape (F, P)
             Present parameters less their expected values.
+        certainty : bool, default=True
+            Whether covariances are wanted, which take as long again.
 
         Returns
         -------
         errors : ndarray, shape (F, P)
         covariances : ndarray, shape (F, 54, 54)
+            0 where they are not wanted.
         """
         frames, width = len(errors), self.width
         right = gradients + np.einsum("tij,tj->ti", hessians, errors)
@@ -159,27 +164,30 @@ class _Chain:
         corner = self.corner.copy()
         corner[ANGLES:, ANGLES:] += hessians[:, width:, width:].sum(axis=0)
         sides = np.concatenate([right[:, :width, None], border], axis=2)
-        forward, known = diagonal.copy(), sides.copy()
+        forward, solved, gains = diagonal, sides, np.empty((frames - 1, width, width))
         for t in range(1, frames):
-            before = np.linalg.solve(forward[t - 1], np.hstack([self.off.T, known[t - 1]]))
-            forward[t] -= self.off @ before[:, :width]
-            known[t] -= self.off @ before[:, width:]
-        solved = np.empty_like(known)
-        covariances = np.empty((frames, ANGLES, ANGLES))
-        inverse = np.linalg.inv(forward[-1])
-        solved[-1], covariances[-1] = inverse @ known[-1], inverse[:ANGLES, :ANGLES]
+            before = np.linalg.solve(forward[t - 1], np.hstack([self.off.T, solved[t - 1]]))
+            gains[t - 1], solved[t - 1] = before[:, :width], before[:, width:]
+            forward[t] -= self.off @ gains[t - 1]
+            solved[t] -= self.off @ solved[t - 1]
+        solved[-1] = np.linalg.solve(forward[-1], solved[-1])
         for t in range(frames - 2, -1, -1):
-            gain = np.linalg.solve(forward[t], self.off.T)
-            solved[t] = np.linalg.solve(forward[t], known[t]) - gain @ solved[t + 1]
-            inverse = np.linalg.inv(forward[t]) + gain @ inverse @ gain.T
-            covariances[t] = inverse[:ANGLES, :ANGLES]
+            solved[t] -= gains[t] @ solved[t + 1]
+        covariances = np.zeros((frames, ANGLES, ANGLES))
+        if certainty:
+            inverse = np.linalg.inv(forward[-1])
+            covariances[-1] = inverse[:ANGLES, :ANGLES]
+            for t in range(frames - 2, -1, -1):
+                inverse = np.linalg.inv(forward[t]) + gains[t] @ inverse @ gains[t].T
+                covariances[t] = inverse[:ANGLES, :ANGLES]
         own, through = solved[:, :, 0], solved[:, :, 1:]
         reduced = corner - np.einsum("tib,tic->bc", border, through)
         target = np.concatenate([np.zeros(ANGLES), right[:, width:].sum(axis=0)])
         target -= np.einsum("tib,ti->b", border, own)
         shared = np.linalg.solve(reduced, target)
-        told = through[:, :ANGLES]
-        covariances = covariances + told @ np.linalg.inv(reduced) @ np.swapaxes(told, 1, 2)
+        if certainty:
+            told = through[:, :ANGLES]
+            covariances += told @ np.linalg.inv(reduced) @ np.swapaxes(told, 1, 2)
         new = np.empty_like(errors)
         new[:, :width] = own - through @ shared
         new[:, width:] = shared[ANGLES:]

@@ -15,7 +15,7 @@ from silpose.core.pose_space import ANGLES
 from silpose.core.stages import stage, timed
 from silpose.core.types import Array
 from silpose.dataset import Take
-from silpose.fitting import BodyFitter, Confidence, FittingOptions, PosePrior
+from silpose.fitting import BodyFitter, ChosenOptions, Confidence, FittingOptions, PosePrior
 from silpose.model.left_out import regressed_left_out, tracked_left_out
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.training import DescribedDataset
@@ -36,7 +36,7 @@ class FitterTraining:
     described : DescribedDataset
     regressor : Regressor
         Fitted to all training takes; its estimates are what fits start from.
-    options : FittingOptions
+    options : ChosenOptions
     body : Body
         Of rigid links.
     camera : Camera
@@ -53,7 +53,7 @@ class FitterTraining:
 
     described: DescribedDataset
     regressor: Regressor
-    options: FittingOptions
+    options: ChosenOptions
     body: Body
     camera: Camera
     tracker: Tracker | None = None
@@ -97,7 +97,8 @@ class FitterTraining:
             )
         if body.kind != "convex":
             body = Body(shape=body.shape)
-        return cls(described, regressor, options, body, camera, tracker, lag)
+        chosen = options.or_those_of(ChosenOptions())
+        return cls(described, regressor, chosen, body, camera, tracker, lag)
 
     @cached_property
     def left_out(self) -> list[Array]:
@@ -111,22 +112,29 @@ class FitterTraining:
     @cached_property
     def prior(self) -> PosePrior:
         """How the regressor's estimates err on training takes that are left out."""
-        return self._prior_of(self.left_out)
+        takes = [str(take) for take in range(len(self.described.train))]
+        return self._prior_of(self.left_out, self.described.groups or takes)
 
     @cached_property
     def tracked_prior(self) -> PosePrior | None:
-        """How the tracker's estimates err on such takes; None without a tracker."""
+        """How the tracker's estimates err on such takes; None without a tracker.
+
+        They are not widened by the number of performers: intervals of whole takes hold without.
+        """
         if self.tracker is None:
             return None
         train, groups = self.described.train, self.described.groups
         with stage("fitting"):
             return self._prior_of(tracked_left_out(self.tracker, self.lag, train, groups))
 
-    def _prior_of(self, estimated: Sequence[Array]) -> PosePrior:
+    def _prior_of(
+        self, estimated: Sequence[Array], performers: Sequence[str] | None = None
+    ) -> PosePrior:
         return PosePrior.from_errors(
             [x for _, x in self.described.train],
             estimated,
             self.described.data.train[0].frames_per_second,
+            performers=performers,
             lasting=self.options.lasting,
             seconds=self.options.seconds,
         )
@@ -216,6 +224,5 @@ class FitterTraining:
         z, x = self.described.joined("train")
         every = ceil(len(z) / _EXAMPLES)
         return PoseFitter(
-            self.fitter(), z[::every], x[::every], self.options.starts, self.usual_iou,
-            self.tracked_prior,
-        )  # fmt: skip
+            self.fitter(), z[::every], x[::every], self.options.starts, self.tracked_prior
+        )

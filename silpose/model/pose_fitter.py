@@ -16,6 +16,7 @@ from silpose.core.serialisation import State, prefixed, unwrapped, without_prefi
 from silpose.core.types import Array, Mask
 from silpose.fitting import (
     BodyFitter,
+    ChosenOptions,
     Confidence,
     Fit,
     FitterStream,
@@ -42,8 +43,6 @@ class PoseFitter:
         Training examples, among which further starts are found.
     starts : int
         Number of further starts of each frame.
-    usual_iou : float
-        Overlap of body and mask in training.
     tracked_prior : PosePrior or None, default=None
         How the estimates of the model's tracker err, if it has one.
     """
@@ -52,7 +51,6 @@ class PoseFitter:
     z: Array
     x: Array
     starts: int
-    usual_iou: float
     tracked_prior: PosePrior | None = None
 
     def fit(
@@ -122,17 +120,28 @@ class PoseFitter:
         return FitterStream(self.for_size(shape, tracked), frames_per_second=frames_per_second)
 
     def with_options(self, options: FittingOptions) -> Self:
-        """Fit with other knowledge, and from other starts, than in training."""
+        """Fit as in training, but for what options say."""
+        own = self.fitter
+        trained = ChosenOptions(
+            True, own.camera_is, own.shape_is, own.whole_take, own.iterations, self.starts,
+            own.prior.lasting, own.prior.seconds,
+        )  # fmt: skip
+        chosen = options.or_those_of(trained)
 
         def over_time(prior: PosePrior) -> PosePrior:
-            return replace(prior, lasting=options.lasting, seconds=options.seconds)
+            return replace(prior, lasting=chosen.lasting, seconds=chosen.seconds)
 
         changed = replace(
-            self.fitter, prior=over_time(self.fitter.prior), camera_is=options.camera,
-            shape_is=options.shape, whole_take=options.whole_take, iterations=options.iterations,
+            own, prior=over_time(own.prior), camera_is=chosen.camera,
+            shape_is=chosen.shape, whole_take=chosen.whole_take, iterations=chosen.iterations,
         )  # fmt: skip
         tracked = self.tracked_prior and over_time(self.tracked_prior)
-        return replace(self, fitter=changed, starts=options.starts, tracked_prior=tracked)
+        return replace(self, fitter=changed, starts=chosen.starts, tracked_prior=tracked)
+
+    @property
+    def usual_iou(self) -> float:
+        """Overlap of body and mask in training."""
+        return self.fitter.confidence.usual_iou
 
     def for_size(self, shape: tuple[int, ...], tracked: bool = False) -> BodyFitter:
         """Create the fitter of masks of one size.
@@ -144,8 +153,7 @@ class PoseFitter:
         tracked : bool, default=False
             Whether fits start from a tracker's estimates.
         """
-        sure = replace(self.fitter.confidence, usual_iou=self.usual_iou)
-        fitter = replace(self.fitter, confidence=sure)
+        fitter = self.fitter
         if tracked and self.tracked_prior is not None:
             fitter = replace(fitter, prior=self.tracked_prior)
         height, width = shape
@@ -165,7 +173,7 @@ class PoseFitter:
             "z": self.z,
             "x": self.x,
             "starts": self.starts,
-            "usual_iou": self.usual_iou,
+            "usual_iou": fitter.confidence.usual_iou,
             **{name: getattr(fitter, name) for name in _CHOICES},
             **prefixed("body", {"kind": body.kind, "level": body.level, **shape}),
             **prefixed("camera", _values_of(fitter.camera)),
@@ -187,11 +195,11 @@ class PoseFitter:
             body["shape"] = body["shape"].tolist()
         fitter = BodyFitter(
             Body(**body), Camera(**camera), PosePrior(**prior), matching=Matching(**matching),
-            confidence=Confidence(tuple(values["confidence"].tolist())),
+            confidence=Confidence(tuple(values["confidence"].tolist()), values["usual_iou"]),
             **{name: values[name] for name in _CHOICES},
         )  # fmt: skip
         tracked = PosePrior(**tracked_prior) if tracked_prior else None
-        own = {name: values[name] for name in ("z", "x", "starts", "usual_iou")}
+        own = {name: values[name] for name in ("z", "x", "starts")}
         return cls(fitter, **own, tracked_prior=tracked)
 
 

@@ -10,7 +10,7 @@ from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.experiments.predict import _with_options
 from silpose.experiments.setup import fitter_of_model, prepare
-from silpose.fitting import FittingOptions
+from silpose.fitting import Confidence, FittingOptions
 from silpose.model import load
 from silpose.silhouette import MaskSource
 from silpose.tracking import STATES, BeliefTracker
@@ -98,7 +98,8 @@ def test_a_fitter_is_trained_and_kept_where_no_model_is_given(run, fitting):
 
 
 def test_masks_that_no_body_explains_are_a_warning(run, fitting, fitter, model, tmp_path):
-    replace(model, fitter=replace(fitter, usual_iou=1.5)).save(tmp_path / "model.npz")
+    expecting = replace(fitter.fitter, confidence=Confidence(usual_iou=1.5))
+    replace(model, fitter=replace(fitter, fitter=expecting)).save(tmp_path / "model.npz")
     with pytest.warns(UserWarning, match=r"try fitting\.camera=estimated"):
         run("predict", fitting, model=str(tmp_path), record=False)
 
@@ -159,3 +160,5 @@ def test_what_the_fit_knows_is_as_in_training(run, own, fitter, model, tmp_path)
     changed = _with_options(replace(model, fitter=free), FittingOptions(True, iterations=3)).fitter
     assert (changed.fitter.camera_is, changed.fitter.iterations) == ("estimated", 3)
     assert (changed.starts, changed.fitter.prior.lasting) == (1, free.fitter.prior.lasting)
+    told = _with_options(replace(model, fitter=free), FittingOptions(True, camera="known")).fitter
+    assert (told.fitter.camera_is, told.fitter.iterations) == ("known", 2)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from silpose.core.pose_space import ANGLES
+from silpose.evaluation import right_poses
 from silpose.fitting import BodyFitter, FitterStream
 from silpose.silhouette import FOREIGN, Body, Camera, foreign_shape, render
 
@@ -146,18 +147,57 @@ def test_a_camera_20_degrees_off_is_found_where_it_is_free(body, prior, walk, es
     assert joint_error(free.x, x[:4]) < joint_error(known.x, x[:4])
 
 
-def test_a_child_and_a_skirt_have_a_state(body, camera, prior, walk, estimated):
-    x, masks = walk
-    child = Body("convex", level=2, shape=[-2.5, 1, 0, 0, 0, 0, 0, 0, 0, 0])
-    far = Camera(width=SIZE, height=SIZE, distance=6.0)
-    small = list(render(child, far, ANGLES.rotations(x[:4])))
-    skirt = [
-        cv2.fillConvexPoly(mask.copy(), np.array([[70, 80], [90, 80], [102, 125], [58, 125]]), 1)
-        for mask in masks[:4]
-    ]
-    for worn in (small, skirt):
-        for fit in fits_to(worn, body, camera, prior, estimated[:4]):
-            assert len(fit.state) == 4
+def small(x):
+    """A slight person farther away."""
+    slight = Body("convex", level=2, shape=[-2.5, 1, 0, 0, 0, 0, 0, 0, 0, 0])
+    return list(render(slight, Camera(width=SIZE, height=SIZE, distance=6.0), ANGLES.rotations(x)))
+
+
+def child(x):
+    """A head as large as it is in a fifth of the height, and short legs."""
+    return [in_bands(mask, {0.14: 1.7, 0.5: 1.0, 1.0: 0.75}) for mask in small(x)]
+
+
+def in_bands(mask, factors):
+    """Enlarge bands of a person's height, given where each ends, about the person's middle."""
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    middle, tall, top = int(columns.mean()), len(rows), rows[0]
+    bands, start = [], 0.0
+    for end, factor in factors.items():
+        band = mask[top + round(start * tall) : top + round(end * tall)]
+        wide = max(1.0, factor)  # legs get shorter, not thinner
+        into = np.array([[wide, 0, middle * (1 - wide)], [0, factor, 0]])
+        bands.append(cv2.warpAffine(band, into, (SIZE, round(factor * len(band)))))
+        start = end
+    figure = np.concatenate(bands)[: SIZE - top]
+    return np.pad(figure, ((top, SIZE - top - len(figure)), (0, 0)))
+
+
+def skirted(masks):
+    """Between hips and shins nothing of the legs is seen apart."""
+    dressed = []
+    for mask in masks:
+        rows = np.flatnonzero(mask.any(axis=1))
+        ends = [rows[0] + round(share * len(rows)) for share in (0.5, 0.8)]
+        own = np.argwhere(mask[slice(*ends)])[:, ::-1] + [0, ends[0]]
+        hull = cv2.convexHull(own.astype(np.int32))
+        dressed.append(cv2.fillConvexPoly(mask.copy(), hull, 1))
+    return dressed
+
+
+SMALL = pytest.mark.xfail(reason="told a wrong shape and camera, it is sure by about a half")
+
+
+@pytest.mark.parametrize(
+    "who", [pytest.param("small", marks=SMALL), pytest.param("child", marks=SMALL), "skirt"]
+)
+def test_whoever_is_unlike_the_body_is_fitted_rightly_or_poorly(
+    who, body, camera, prior, walk, estimated
+):
+    x, masks = walk[0][:4], walk[1][:4]
+    shown = {"small": small, "child": child}[who](x) if who != "skirt" else skirted(masks)
+    for fit in fits_to(shown, body, camera, prior, estimated[:4]):
+        assert (right_poses(ANGLES, x, fit.x) | (fit.confidence < 0.5)).all()
 
 
 def test_frames_without_an_estimate_start_from_the_others(body, camera, prior, walk, estimated):

@@ -43,6 +43,17 @@ def test_misfit_alone_is_that_of_the_evidence(body, walk, view):
     assert alone == pytest.approx(evidence(parameters, contour, geometry, view)[0])
 
 
+@pytest.mark.parametrize("count", [54, 57])
+def test_parameters_that_are_known_change_nothing_of_the_others(body, walk, view, count):
+    geometry, contour = geometry_of(body), contour_of(walk[1][0])
+    every = parameters_of(walk[0][1])
+    misfit, hessian, gradient = evidence(every, contour, geometry, view)
+    fewer = evidence(every[:count].copy(), contour, geometry, view)
+    assert fewer[0] == pytest.approx(misfit)
+    np.testing.assert_allclose(fewer[1], hessian[:count, :count], atol=1e-6)
+    np.testing.assert_allclose(fewer[2], gradient[:count], atol=1e-6)
+
+
 @pytest.mark.parametrize("parameter", [0, 1, 4, 40, 54, 55, 56, 57, 58, 59])
 def test_a_step_along_the_gradient_of_one_parameter_undoes_a_change_of_it(
     body, walk, view, parameter

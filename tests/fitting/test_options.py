@@ -1,7 +1,9 @@
+from dataclasses import replace
+
 import pytest
 
 from silpose.core.errors import InputError
-from silpose.fitting import FittingOptions
+from silpose.fitting import ChosenOptions, FittingOptions
 
 
 @pytest.mark.parametrize(
@@ -18,3 +20,12 @@ from silpose.fitting import FittingOptions
 def test_impossible_values_are_refused_by_name(wrong, words):
     with pytest.raises(InputError, match=words):
         FittingOptions(**wrong)
+
+
+def test_what_is_not_said_is_as_in_others():
+    trained = ChosenOptions(camera="estimated", iterations=3)
+    assert FittingOptions().or_those_of(trained) == trained
+    own = FittingOptions(enabled=True, camera="known", whole_take=False, starts=0)
+    assert own.or_those_of(trained) == replace(
+        trained, enabled=True, camera="known", whole_take=False, starts=0
+    )

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from scipy.stats import t
 from synthetic import swinging
 
 from silpose.core.errors import InputError
@@ -15,6 +16,19 @@ def test_the_covariance_is_that_of_the_errors():
     wrong = [ANGLES.from_angles(ANGLES.angles(x) + rng.normal(0, spread, (400, 54))) for x in true]
     prior = PosePrior.from_errors(true, wrong, 15.0)
     assert np.sqrt(np.diag(prior.covariance)) == pytest.approx(np.sqrt(spread**2 + 0.49), rel=0.1)
+
+
+def test_few_performers_tell_less_of_another_one():
+    rng = np.random.default_rng(0)
+    true = [ANGLES.from_angles(swinging(40, seed)) for seed in range(8)]
+    wrong = [ANGLES.from_angles(ANGLES.angles(x) + rng.normal(0, 5, (40, 54))) for x in true]
+    traces = [
+        np.trace(PosePrior.from_errors(true, wrong, 15.0, performers=list(names)).covariance)
+        for names in ("abcdefgh", "aabbccdd", "aaaaaaaa")
+    ]
+    assert traces[1] / traces[0] == pytest.approx((t.ppf(0.95, 4) / t.ppf(0.95, 8)) ** 2, rel=0.01)
+    assert traces[0] < traces[1] < traces[2]
+    assert np.trace(PosePrior.from_errors(true, wrong, 15.0).covariance) < traces[0]
 
 
 def test_frames_seen_from_the_wrong_side_tell_nothing():
