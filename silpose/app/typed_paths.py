@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 PATHS = (
     *("silhouette.source", "model", "motion.root", "dataset.path", "dataset.cache"),
-    *("recording.root", "into", "pattern"),
+    *("recording.root", "recording.name", "into", "pattern"),
 )
 """Settings that are paths."""
 

@@ -6,6 +6,8 @@ TRUE_POSE = "/motion/pose"
 
 CAMERA = "/silhouette/camera"
 MASK = "/silhouette/camera/mask"
+FRAME = "/silhouette/camera/frame"  # where the image ends
+SEEN = "/silhouette/seen"  # whether anyone is in a mask
 EDGE_POINTS = "/silhouette/camera/edge_points"
 OVERLAID_SKELETON = "/silhouette/camera/skeleton"  # the estimated pose on the mask
 RETAINED_POINTS = "/silhouette/camera/retained"  # one entity below it per body part
@@ -48,6 +50,7 @@ OVERLAP = "/fitting/overlap"  # mask and fitted body's silhouette as one image
 CONTOUR = "/fitting/overlap/contour"
 OUTLINE = "/fitting/overlap/outline"
 OUTLINE_BEFORE = "/fitting/overlap/outline_before"
+FITTED_OVERLAY = "/fitting/overlap/skeleton"  # the fitted pose on the mask
 OVERLAP_SHARES = "/fitting/iou"  # one entity below it per method
 FITTED_SKELETON = "/fitting/skeleton"
 FITTED_BODY = "/fitting/body"  # one entity below it per rigid part
