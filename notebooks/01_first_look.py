@@ -15,31 +15,31 @@
 #
 # Of a person, only the silhouette is known. What is the pose?
 #
-# *In JupyterLab, open this file by right-click, Open With, Notebook.*
-#
 # **1. Data.** Ten walkers are drawn from a statistical model of walking and rendered as masks:
 # eight takes of training, one of validation and one of test.
 
 # %%
-import os
-
 from silpose.dataset import Renderer, SamePerformer
 from silpose.motion import WalkerTakes
 
-fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
-data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+data = SamePerformer().load(Renderer(WalkerTakes()))
 test = data.test[0]
 
 # %% [markdown]
-# **2. Masks** of the test walker, two for every second.
+# **2. Masks** of the test walker, two in every second.
 
 # %%
 import matplotlib.pyplot as plt
 import numpy as np
 
+from silpose.recording.figure_style import STYLE
+
+plt.style.use(STYLE)
 plt.figure(figsize=(12, 3))
 plt.imshow(np.hstack(test.masks[:60:7, :, 60:-60]), cmap="gray_r")
-plt.axis("off")
+plt.yticks([])
+plt.xticks(68 + 136 * np.arange(9), [f"{frame / 15:.1f}" for frame in range(0, 60, 7)])
+plt.xlabel("seconds")
 plt.show()
 
 # %% [markdown]
@@ -78,12 +78,4 @@ single_image_figure(data.space, test.camera, test, details.x, means, "rvm")
 # training silhouettes with the largest weight.
 
 # %%
-from pathlib import Path
-
-from silpose.recording import GroundTruth, Header, InfluentialExamples, record_single_image
-
-truth = GroundTruth.of(test, test.camera, errors, data.space)
-examples = InfluentialExamples.of(regressor, details, data.train, test.camera, data.space)
-header = Header("first_look", "notebook", Path("first_look.rrd"), f"test of {test.performer}")
-record_single_image(header, model, details, truth, list(errors), examples)
-silpose.show(header.file)
+silpose.watch(model, test, data.train)

@@ -18,17 +18,16 @@
 # **1. Masks** of walkers, and the descriptor fitted to them: it learns a codebook.
 
 # %%
-import os
-
 import matplotlib.pyplot as plt
 import numpy as np
 
 from silpose.dataset import Renderer, SamePerformer
 from silpose.descriptor import ShapeContextHistogram
 from silpose.motion import WalkerTakes
+from silpose.recording.figure_style import STYLE
 
-fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
-data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+data = SamePerformer().load(Renderer(WalkerTakes()))
+plt.style.use(STYLE)
 train = np.concatenate([take.masks for take in data.train])
 test = data.test[0]
 descriptor = ShapeContextHistogram().fit(train)
@@ -48,17 +47,18 @@ left = figure.add_subplot(1, 2, 1)
 left.imshow(mask, cmap="gray_r", alpha=0.3)
 left.plot(*one.points.T, "k.", ms=3)
 for radius in one.rings:
-    left.add_patch(plt.Circle((x, y), radius, fill=False, color="tab:red", lw=0.8))
+    left.add_patch(plt.Circle((x, y), radius, fill=False, color="C1", lw=0.8))
 for angle in sectors:
     reach = one.rings[[0, -1]]
-    left.plot(x + reach * np.cos(angle), y + reach * np.sin(angle), color="tab:red", lw=0.8)
+    left.plot(x + reach * np.cos(angle), y + reach * np.sin(angle), color="C1", lw=0.8)
 left.axis([x - 80, x + 80, y + 80, y - 80])
+left.set_title("an edge point and its log-polar bins")
 left.axis("off")
 right = figure.add_subplot(1, 2, 2, projection="polar")
 right.set_theta_direction(-1)  # as in the image, down is down
 context = one.contexts[40].reshape(descriptor.radial_bins, -1)
-right.pcolormesh(sectors, np.arange(len(context) + 1), context, cmap="Reds")
-right.set(xticks=[], yticks=[], title="its shape context: 5 rings of 12 bins")
+right.pcolormesh(sectors, np.arange(len(context) + 1), context, cmap="Purples")
+right.set(xticks=[], yticks=[], title="its shape context")
 plt.show()
 
 # %% [markdown]
@@ -73,6 +73,8 @@ _, (left, right) = plt.subplots(1, 2, figsize=(10, 5))
 left.imshow(codebook_picture(descriptor.codebook_, descriptor.angular_bins))
 right.imshow(mask, cmap="gray_r", alpha=0.15)
 right.scatter(*one.points.T, c=colours[one.nearest], s=14)
+left.set_title("the centres, as log-polar histograms")
+right.set_title("edge points, in the colours of their centres")
 right.axis([60, 196, 245, 10])
 for axes in (left, right):
     axes.axis("off")
@@ -89,7 +91,7 @@ plt.xlabel("centre of the codebook")
 plt.show()
 
 # %% [markdown]
-# **5. Damage is local.** Without a limb, only edge points near the cut have another context (red).
+# **5. Damage is local.** Without a limb, only edge points near the cut have another context (dark).
 # The votes of the limb are gone, those of the cut are new, and the other bins hardly change.
 
 # %%
@@ -101,7 +103,8 @@ apart = np.linalg.norm(two.points[:, None] - one.points, axis=2)
 moved = np.linalg.norm(two.contexts - one.contexts[apart.argmin(axis=1)], axis=1)
 _, (left, right) = plt.subplots(1, 2, figsize=(12, 3.5), width_ratios=[1, 3])
 left.imshow(mask.astype(int) + damaged, cmap="gray_r", alpha=0.3)
-left.scatter(*two.points.T, c=moved, cmap="coolwarm", s=10)
+left.scatter(*two.points.T, c=moved, cmap="magma_r", s=14)
+left.set_title("where contexts change")
 left.axis([60, 196, 245, 10])
 left.axis("off")
 right.bar(range(len(one.z)), 100 * (two.z - one.z), color=colours, width=1)
@@ -114,17 +117,18 @@ plt.show()
 # **6. All kinds of damage.** The votes that move are about as many as the boundary is damaged.
 
 # %%
-for kind in DEGRADATIONS:
+markers = "o^sDvP*X<>p"
+for kind, marker in zip(DEGRADATIONS, markers, strict=True):
     damage, votes = [], []
     for frame, mask in enumerate(test.masks[::6]):
         damaged = degrade(mask, kind, 0.5, np.random.default_rng(frame))
         damage.append(100 * contour_damage(mask, damaged))
         votes.append(50 * np.abs(described[6 * frame].z - descriptor.transform([damaged])[0]).sum())
-    plt.plot(np.mean(damage), np.mean(votes), "o", label=kind.replace("_", " "))
+    plt.plot(np.mean(damage), np.mean(votes), marker, ms=7, label=kind.replace("_", " "))
 plt.axline((0, 0), slope=1, color="0.8", zorder=0)
 plt.xlabel("% of the boundary lost or false")
 plt.ylabel("% of the votes moved")
-plt.legend(fontsize=8)
+plt.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 plt.show()
 
 # %% [markdown]
@@ -140,7 +144,7 @@ between = {
 _, columns = plt.subplots(1, 2, figsize=(10, 5))
 for axes, (name, distances) in zip(columns, between.items(), strict=True):
     axes.imshow(distances, cmap="magma")
-    axes.set(title=name, xlabel="frame")
+    axes.set(title=f"distances of {name}", xlabel="frame", ylabel="frame")
 plt.show()
 
 # %% [markdown]
@@ -148,16 +152,6 @@ plt.show()
 # play to see where this silhouette's are.
 
 # %%
-from pathlib import Path
-
 import silpose
-from silpose.descriptor import ContextSpace
-from silpose.recording import Header, record_context_space
 
-cloud = np.concatenate([d.contexts for d in descriptor.describe(train[::50])])
-space = ContextSpace.of(cloud, descriptor.codebook_, described)
-header = Header("descriptor", "notebook", Path("descriptor.rrd"), f"test of {test.performer}")
-rate = test.frames_per_second
-book = descriptor.codebook_, descriptor.angular_bins
-record_context_space(header, test.masks, described, space, *book, rate)
-silpose.show(header.file)
+silpose.watch(descriptor, test, data.train)

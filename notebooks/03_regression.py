@@ -19,16 +19,13 @@
 # **1. Descriptors and poses** of ten walkers.
 
 # %%
-import os
-
 import numpy as np
 
 from silpose.dataset import Renderer, SamePerformer, poses
 from silpose.descriptor import ShapeContextHistogram
 from silpose.motion import WalkerTakes
 
-fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
-data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+data = SamePerformer().load(Renderer(WalkerTakes()))
 test = data.test[0]
 descriptor = ShapeContextHistogram()
 masks = np.concatenate([take.masks for take in data.train])
@@ -55,15 +52,18 @@ for rvm, error in zip(path, errors, strict=True):
 # %%
 import matplotlib.pyplot as plt
 
+from silpose.recording.figure_style import STYLE
+
+plt.style.use(STYLE)
 dense = data.space.distance(x_test, ridge.predict(z_test)).mean()
 mean_pose = data.space.distance(x_test, x.mean(axis=0)).mean()
-plt.semilogx([rvm.kept_ for rvm in path], errors, "o-", label="relevance vectors")
+plt.semilogx([rvm.kept_ for rvm in path], errors, "o-", color="C1", label="relevance vectors")
 plt.axhline(dense, color="gray", ls="--", label="kernel ridge, all kept")
 plt.axhline(mean_pose, color="gray", ls=":", label="mean pose")
 plt.xlabel("share of the training silhouettes kept")
 plt.ylabel("mean angular error, degrees")
 plt.ylim(0)
-plt.legend()
+plt.legend(loc="lower left", bbox_to_anchor=(0, 1), ncols=3)
 plt.show()
 
 # %% [markdown]
@@ -82,16 +82,23 @@ plt.show()
 # **5. Uncertainty:** two standard deviations around the estimated left hip angle, and the true one.
 
 # %%
+from silpose.recording.figure_style import ESTIMATED, TRUE
+
 estimated, std = sparse.predict(z_test, return_std=True)
 column = data.space.columns.index("left_hip_x")
 frames = np.arange(len(x_test))
 low, high = (estimated[:, column] + k * std[:, column] for k in (-2, 2))
 plt.figure(figsize=(12, 3))
-plt.fill_between(frames, low, high, alpha=0.3, label="two standard deviations")
-plt.plot(frames, x_test[:, column], "k", label="true")
+plt.fill_between(
+    frames, low, high, color=ESTIMATED, alpha=0.3, lw=0, label="two standard deviations"
+)
+plt.plot(frames, x_test[:, column], color=TRUE, label="true")
 inside = np.mean((low < x_test[:, column]) & (x_test[:, column] < high))
 plt.title(f"left hip: {inside:.0%} of the frames are inside")
-plt.legend(loc="upper right")
+plt.xlabel("frame")
+plt.ylabel("left hip, degrees")
+plt.xlim(0, len(frames) - 1)
+plt.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
 plt.show()
 
 # %% [markdown]
@@ -99,17 +106,7 @@ plt.show()
 # frame, and *Why this pose?* the ones with the largest weight.
 
 # %%
-from pathlib import Path
-
 import silpose
-from silpose.recording import GroundTruth, Header, InfluentialExamples, record_single_image
 
 model = silpose.PoseModel(descriptor, sparse, data.space, test.frames_per_second)
-details = model.explain(test.masks)
-both = {"rvm": details.x, "ridge": ridge.predict(z_test)}
-errors = {method: data.space.distance(x_test, x) for method, x in both.items()}
-truth = GroundTruth.of(test, test.camera, errors, data.space)
-examples = InfluentialExamples.of(sparse, details, data.train, test.camera, data.space)
-header = Header("regression", "notebook", Path("regression.rrd"), f"test of {test.performer}")
-record_single_image(header, model, details, truth, list(errors), examples)
-silpose.show(header.file)
+silpose.watch(model, test, data.train)

@@ -19,16 +19,13 @@
 # **1. Descriptors and poses,** take by take.
 
 # %%
-import os
-
 import numpy as np
 
 from silpose.dataset import Renderer, SamePerformer, poses
 from silpose.descriptor import ShapeContextHistogram
 from silpose.motion import WalkerTakes
 
-fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
-data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+data = SamePerformer().load(Renderer(WalkerTakes()))
 descriptor = ShapeContextHistogram()
 descriptor.fit(np.concatenate([take.masks for take in data.train]))
 train = [(descriptor.transform(take.masks), take.x) for take in data.train]
@@ -62,12 +59,17 @@ for name, x in estimates.items():
 import matplotlib.pyplot as plt
 
 from silpose.evaluation import thigh_swing
+from silpose.recording.figure_style import ESTIMATED, STYLE, TRUE
 
+plt.style.use(STYLE)
+titles = {"ridge": "each image alone", "tracker": "tracked", "tracker_lag": "tracked, with a lag"}
 _, rows = plt.subplots(3, figsize=(12, 6), sharex=True, sharey=True)
 for axes, (name, x) in zip(rows, estimates.items(), strict=True):
-    axes.plot(thigh_swing(data.space, test.x), "k", lw=2)
-    axes.plot(thigh_swing(data.space, x), color="tab:orange")
-    axes.set_title(name, fontsize=10)
+    axes.plot(thigh_swing(data.space, test.x), color=TRUE, lw=3, alpha=0.7, label="true")
+    axes.plot(thigh_swing(data.space, x), color=ESTIMATED, label="estimated")
+    axes.set_title(titles[name])
+    axes.set(ylim=(-60, 60), yticks=(-45, 0, 45), ylabel="degrees")
+rows[0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
 rows[-1].set_xlabel("frame")
 plt.show()
 
@@ -78,7 +80,8 @@ plt.show()
 facing = data.space.heading(tracker.examples_.headings)
 order = np.argsort(facing)
 plt.figure(figsize=(12, 4))
-plt.imshow(np.sqrt(track.beliefs[:, order].T), aspect="auto", cmap="magma")
+plt.imshow(np.sqrt(track.beliefs[:, order].T), aspect="auto", interpolation="nearest")
+plt.colorbar(label="square root of the probability")
 plt.xlabel("frame")
 plt.ylabel("key poses, by heading")
 plt.show()
@@ -92,12 +95,16 @@ blank[25:40] = np.nan
 recovered = tracker.track(blank)
 error = data.space.distance(test.x, recovered.x)
 plt.figure(figsize=(12, 3))
-plt.plot(error)
+plt.plot(error, color=ESTIMATED, label="error")
+plt.axvspan(25, 40, color="0.9", label="no silhouette")
 lost = np.array([state == "lost" for state in recovered.state])
-plt.fill_between(np.arange(len(error)), 0, error.max(), where=lost, alpha=0.3, label="lost")
-plt.ylabel("error, degrees")
+plt.fill_between(
+    np.arange(len(error)), 0, error.max(), where=lost, color="0.6", alpha=0.5, label="lost"
+)
+plt.ylabel("mean angular error, degrees")
 plt.xlabel("frame")
-plt.legend()
+plt.ylim(0)
+plt.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=3)
 plt.show()
 
 # %% [markdown]
@@ -105,14 +112,7 @@ plt.show()
 # below.
 
 # %%
-from pathlib import Path
-
 import silpose
-from silpose.recording import GroundTruth, Header, record_tracking
 
-errors = {name: data.space.distance(test.x, x) for name, x in estimates.items()}
-truth = GroundTruth.of(test, test.camera, errors, data.space)
-shown = {name: estimates[name] for name in ("ridge", "tracker")}
-header = Header("tracking", "notebook", Path("tracking.rrd"), f"test of {test.performer}")
-record_tracking(header, test, truth, shown, track, facing, data.space)
-silpose.show(header.file)
+model = silpose.PoseModel(descriptor, single, data.space, test.frames_per_second, tracker)
+silpose.watch(model, test)

@@ -19,17 +19,16 @@
 # **1. Descriptors and poses,** take by take.
 
 # %%
-import os
-
 import matplotlib.pyplot as plt
 import numpy as np
 
 from silpose.dataset import Renderer, SamePerformer
 from silpose.descriptor import ShapeContextHistogram
 from silpose.motion import WalkerTakes
+from silpose.recording.figure_style import STYLE
 
-fast = {"seconds": 4, "test_seconds": 4} if os.environ.get("SILPOSE_FAST") else {}
-data = SamePerformer().load(Renderer(WalkerTakes(**fast)))
+data = SamePerformer().load(Renderer(WalkerTakes()))
+plt.style.use(STYLE)
 descriptor = ShapeContextHistogram().fit(np.concatenate([take.masks for take in data.train]))
 train, validation, ((z, x),) = (
     [(descriptor.transform(take.masks), take.x) for take in takes]
@@ -44,7 +43,7 @@ test, space = data.test[0], data.space
 # %%
 from silpose.regression import Candidates, MixtureOfRegressors, choose_mixture
 
-grid = {"clusters": [30]} if fast else {"clusters": [30, 60, 120], "temperature": [4, 8, 16]}
+grid = {"clusters": [30, 60, 120], "temperature": [4, 8, 16]}
 grid["calibration_exponent"] = [0.7, 1, 1.4, 2, 2.8]
 chosen = choose_mixture(
     Candidates(MixtureOfRegressors(), grid),
@@ -59,24 +58,26 @@ print(f"{mixture.components_} regressors; the first frame's modes: {np.round(wei
 
 # %% [markdown]
 # **3. Ambiguous frames:** those whose second mode is likely, and far from the first. Poses are
-# drawn from the camera's point of view, left limbs orange and right ones blue.
+# drawn from the camera's point of view, left limbs light and right ones dark.
 
 # %%
+from silpose.experiments.figures import draw_skeleton
+from silpose.recording import palette
+
 ambiguous = []
 for frame in np.argsort(-weights[:, 1] * space.distance(modes[:, 0], modes[:, 1])):
     if len(ambiguous) < 4 and all(abs(frame - other) > 5 for other in ambiguous):
         ambiguous.append(frame)
-colours = {"left": "tab:orange", "right": "tab:blue"}
+colours = [*palette.MODES[:2], palette.TRUE]
 _, rows = plt.subplots(len(ambiguous), 4, figsize=(10, 3 * len(ambiguous)))
 for row, frame in zip(rows, ambiguous, strict=True):
     row[0].imshow(test.masks[frame, 20:, 50:-50], cmap="gray_r")
     row[0].set_title(f"frame {frame}")
     drawn = space.joints([*modes[frame, :2], x[frame]])
     names = [f"{weight:.0%}" for weight in weights[frame, :2]]
-    for axes, joints, name in zip(row[1:], drawn, [*names, "true pose"], strict=True):
-        for bone in space.bones:
-            side = space.joint_names[bone[1]].split("_")[0]
-            axes.plot(*joints[list(bone), :2].T, color=colours.get(side, "gray"), lw=3)
+    named = zip(row[1:], drawn, [*names, "true pose"], colours, strict=True)
+    for axes, joints, name, colour in named:
+        draw_skeleton(axes, space, joints[:, :2], colour, 3)
         axes.set(aspect="equal", title=name)
 for axes in rows.flat:
     axes.axis("off")
@@ -87,12 +88,16 @@ plt.show()
 # remaining probability is that of other poses: it is high where training has no similar silhouette.
 
 # %%
+shades = [palette.hexed(colour) for colour in palette.MODES]
 plt.figure(figsize=(12, 3))
-plt.stackplot(np.arange(len(z)), weights[:, :4].T, labels=[f"mode {k + 1}" for k in range(4)])
+plt.stackplot(
+    np.arange(len(z)), weights[:, :4].T, labels=[f"mode {k + 1}" for k in range(4)], colors=shades
+)
 plt.margins(0)
 plt.xlabel("frame")
 plt.ylabel("probability")
-plt.legend(loc="lower left", ncols=4)
+plt.ylim(0, 1)
+plt.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=4)
 plt.show()
 
 # %% [markdown]
@@ -105,7 +110,13 @@ ridge = RidgeRegressor(Basis(width=2), damping=0.1)
 ridge.fit(*(np.concatenate(part) for part in zip(*train, strict=True)))
 errors = space.distance(x[:, None], modes)
 ks = np.arange(1, 9)
-plt.plot(ks, [errors[:, :k].min(axis=1).mean() for k in ks], "o-", label="mixture: best of k modes")
+plt.plot(
+    ks,
+    [errors[:, :k].min(axis=1).mean() for k in ks],
+    "o-",
+    color="C1",
+    label="mixture: best of k modes",
+)
 plt.axhline(
     space.distance(x, ridge.predict(z)).mean(),
     color="gray",
@@ -115,7 +126,7 @@ plt.axhline(
 plt.xlabel("k")
 plt.ylabel("mean angular error, degrees")
 plt.ylim(0)
-plt.legend()
+plt.legend(loc="lower left", bbox_to_anchor=(0, 1))
 plt.show()
 
 # %% [markdown]
@@ -125,7 +136,8 @@ plt.show()
 # %%
 from silpose.tracking import MultipleHypothesisTracker
 
-track = MultipleHypothesisTracker(mixture).fit(train).track(z)
+tracker = MultipleHypothesisTracker(mixture).fit(train)
+track = tracker.track(z)
 tracked = space.distance(x, track.x)
 print(f"error of the most probable mode {errors[:, 0].mean():.2f}°, tracked {tracked.mean():.2f}°")
 
@@ -134,13 +146,7 @@ print(f"error of the most probable mode {errors[:, 0].mean():.2f}°, tracked {tr
 # skeleton, the more probable it is. The true pose is blue.
 
 # %%
-from pathlib import Path
-
 import silpose
-from silpose.recording import GroundTruth, Header, record_hypotheses
 
-both = {"mixture_top1": errors[:, 0], "hypotheses": tracked}
-truth = GroundTruth.of(test, test.camera, both, space)
-header = Header("hypotheses", "notebook", Path("ambiguity.rrd"), f"test of {test.performer}")
-record_hypotheses(header, test, truth, (weights[:, :4], modes[:, :4]), track, space)
-silpose.show(header.file)
+model = silpose.PoseModel(descriptor, ridge, space, test.frames_per_second, tracker)
+silpose.watch(model, test)

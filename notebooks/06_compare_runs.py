@@ -25,13 +25,10 @@
 # and here a loop. Each run has its own folder in `sweep/`.
 
 # %%
-import os
-
 import silpose
 
-fast = ["motion.seconds=4", "motion.test_seconds=4"] if os.environ.get("SILPOSE_FAST") else []
-common = [*fast, "methods=[ridge]", "show=ridge", "regression.basis.width=2"]
-sizes = [5, 100] if fast else [5, 10, 25, 100]
+common = ["methods=[ridge]", "show=ridge", "regression.basis.width=2"]
+sizes = [5, 10, 25, 100]
 runs = []
 for size in sizes:
     own = [f"descriptor.codebook_size={size}", "recording.root=sweep"]
@@ -51,15 +48,20 @@ table[["descriptor.codebook_size", "ridge.mean_angular_error_deg", "ridge.mpjpe_
 # %%
 import matplotlib.pyplot as plt
 
+from silpose.recording.figure_style import ESTIMATED, STYLE, TRUE
+
+plt.style.use(STYLE)
 error = "mean_angular_error_deg"
-for method, style in {"ridge": "o-", "nearest": "s-", "mean_pose": ":"}.items():
-    plt.semilogx(table["descriptor.codebook_size"], table[f"{method}.{error}"], style, label=method)
+methods = {"ridge": ("o-", ESTIMATED), "nearest": ("s-", "C0"), "mean_pose": (":", "0.5")}
+for method, (style, colour) in methods.items():
+    values, label = table[f"{method}.{error}"], method.replace("_", " ")
+    plt.semilogx(table["descriptor.codebook_size"], values, style, color=colour, label=label)
 plt.xlabel("centres of the codebook")
 plt.ylabel("mean angular error, degrees")
 plt.xticks(sizes, sizes)
 plt.minorticks_off()
 plt.ylim(0)
-plt.legend()
+plt.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=3)
 plt.show()
 
 # %% [markdown]
@@ -70,11 +72,11 @@ small, large = silpose.load_run("sweep/single_image/centres_5"), runs[-1]
 _, rows = plt.subplots(2, figsize=(12, 5), sharex=True, sharey=True)
 for axes, run in zip(rows, (small, large), strict=True):
     tracks = run.tracks
-    axes.plot(tracks.loc["true", "left_knee_x"], "k", lw=2, label="true")
-    axes.plot(tracks.loc["estimated", "left_knee_x"], color="tab:orange", label="estimated")
+    axes.plot(tracks.loc["true", "left_knee_x"], color=TRUE, lw=3, alpha=0.7, label="true")
+    axes.plot(tracks.loc["estimated", "left_knee_x"], color=ESTIMATED, label="estimated")
     axes.set_ylabel("left knee, degrees")
     axes.set_title(f"{run.folder.name}: error {tracks.loc['estimated', 'error'].mean():.2f}°")
-axes.legend(loc="upper right")
+rows[0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
 axes.set_xlabel("frame")
 plt.show()
 

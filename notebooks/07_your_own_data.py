@@ -20,7 +20,6 @@
 # who is unseen in training, as a video. Delete the second half if the paths are your own.
 
 # %%
-import os
 from pathlib import Path
 
 import cv2
@@ -33,8 +32,7 @@ motion, masks = Path("my_motion"), Path("my_masks.mp4")
 
 if not motion.exists():
     motion.mkdir()
-    seconds = 4 if os.environ.get("SILPOSE_FAST") else 17
-    *walks, unseen = WalkerTakes(seconds=seconds, test_seconds=seconds).takes()
+    *walks, unseen = WalkerTakes().takes()
     for walk in walks:
         save_bvh(motion / f"{walk.name}.bvh", walk)
     codec = cv2.VideoWriter.fourcc(*"mp4v")
@@ -57,7 +55,9 @@ import matplotlib.pyplot as plt
 
 from silpose.core.pose_space import ANGLES
 from silpose.motion import MotionFolder
+from silpose.recording.figure_style import ESTIMATED, STYLE
 
+plt.style.use(STYLE)
 takes = MotionFolder(motion).takes()
 _, (above, front) = plt.subplots(1, 2, figsize=(12, 4), width_ratios=[1, 1.6])
 for k, take in enumerate(takes):
@@ -66,7 +66,7 @@ for k, take in enumerate(takes):
     for bone in ANGLES.bones:
         front.plot(*(joints[list(bone), :2] + [k, 0]).T, color=f"C{k}", lw=2)
     front.text(k, -1.2, take.name, rotation=60, ha="right", va="top", fontsize=8)
-above.set(aspect="equal", title="from above, metres")
+above.set(aspect="equal", title="paths from above", xlabel="metres", ylabel="metres")
 above.invert_yaxis()  # z points down, to the camera
 front.set(aspect="equal", title="first frame of each file")
 front.axis("off")
@@ -118,9 +118,10 @@ poses = run.model.predict(masks, blank="nan")
 print(poses.summary())
 print(f"joints in metres {poses.joints.shape}: {', '.join(poses.space.joint_names[:6])}, …")
 _, (above, below) = plt.subplots(2, figsize=(12, 4), sharex=True)
-above.plot(poses.heading, ".")
+above.plot(poses.heading, ".", color=ESTIMATED)
 above.set(ylabel="heading, degrees", yticks=[-180, -90, 0, 90, 180])
-below.plot(poses.confidence)
+below.plot(poses.confidence, color="0.3")
+below.axhline(0.5, color="0.7", ls=":")
 below.set(ylabel="confidence", xlabel="frame", ylim=(0, 1.05))
 plt.show()
 

@@ -20,8 +20,6 @@
 # **1. Walkers,** and kernel ridge regression. The test walker is in none of the training takes.
 
 # %%
-import os
-
 import numpy as np
 
 from silpose.core.pose_space import ANGLES
@@ -30,9 +28,7 @@ from silpose.descriptor import ShapeContextHistogram
 from silpose.motion import WalkerTakes
 from silpose.regression import Basis, RidgeRegressor
 
-fast = os.environ.get("SILPOSE_FAST")
-seconds = {"seconds": 4, "test_seconds": 4} if fast else {"test_seconds": 10}
-data = SamePerformer().load(Renderer(WalkerTakes(**seconds)))
+data = SamePerformer().load(Renderer(WalkerTakes(test_seconds=10)))
 descriptor = ShapeContextHistogram()
 descriptor.fit(np.concatenate([take.masks for take in data.train]))
 train = [(descriptor.transform(take.masks), take.x) for take in data.train]
@@ -72,8 +68,10 @@ import matplotlib.pyplot as plt
 
 from silpose.experiments.fitting_figure import draw_overlap
 from silpose.fitting import overlap, trace_frame
+from silpose.recording.figure_style import STYLE
 from silpose.silhouette import render
 
+plt.style.use(STYLE)
 before = list(render(Body(), test.camera, ANGLES.rotations(estimated)))
 worst = int(np.argmin([overlap(*pair) for pair in zip(test.masks, before, strict=True)]))
 trace = trace_frame(fitter, test.masks[worst], estimated[worst])
@@ -91,20 +89,22 @@ plt.show()
 # follow each other, it does not. Poses of similar training silhouettes are tried as further starts.
 
 # %%
-from silpose.fitting import fitted_silhouettes
-from silpose.regression import DistinctNeighbours
+from silpose.model import PoseFitter
+from silpose.recording.figure_style import ESTIMATED
 
 joined = (np.concatenate(part) for part in zip(*train, strict=True))
-others = DistinctNeighbours(*joined, ANGLES.distance).find(z, 3)
-fit = fitter.fit(test.masks, estimated, others=others, frames_per_second=test.frames_per_second)
+whole = PoseFitter(fitter, *joined, starts=3, usual_iou=0.97)
+fit = whole.fit(test.masks, z, estimated, frames_per_second=test.frames_per_second)
 tracks = {"ridge": estimated, "fitted_take": fit.x}
 plt.figure(figsize=(12, 3))
 for name, x in tracks.items():
     error = ANGLES.distance(test.x, x)
-    plt.plot(error, label=f"{name}: {error.mean():.2f}°")
+    colour = ESTIMATED if name == "fitted_take" else "0.5"
+    plt.plot(error, color=colour, label=f"{name.replace('_', ' ')}: {error.mean():.2f}°")
 plt.xlabel("frame")
-plt.ylabel("error, degrees")
-plt.legend()
+plt.ylabel("mean angular error, degrees")
+plt.ylim(0)
+plt.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
 plt.show()
 
 # %% [markdown]
@@ -129,19 +129,8 @@ for row in coverage_by_limb(test.x, fit.x, fit.covariance)[:3]:
 # *iteration*, which is chosen at the bottom left.
 
 # %%
-from pathlib import Path
-
 import silpose
-from silpose.recording import GroundTruth, Header, record_fitting
 
-errors = {name: ANGLES.distance(test.x, x) for name, x in tracks.items()}
-truth = GroundTruth.of(test, test.camera, errors, ANGLES)
-silhouettes = {"before": before, "after": fitted_silhouettes(fitter, fit)}
-header = Header("fitting", "notebook", Path("fitting.rrd"), f"test of {test.performer}")
-pairs = [zip(test.masks, filled, strict=True) for filled in silhouettes.values()]
-overlaps = {
-    name: np.array([overlap(*pair) for pair in own])
-    for name, own in zip(tracks, pairs, strict=True)
-}
-record_fitting(header, test, truth, estimated, fit.x, silhouettes, overlaps, trace, worst, ANGLES)
-silpose.show(header.file)
+regressor = regress(train)
+model = silpose.PoseModel(descriptor, regressor, ANGLES, test.frames_per_second, fitter=whole)
+silpose.watch(model, test)

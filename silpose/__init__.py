@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from silpose.app.run import run_experiment
     from silpose.core.errors import InputError
     from silpose.model import PoseModel, load
-    from silpose.recording import load_poses, load_run, runs_table, show
+    from silpose.recording import load_poses, load_run, runs_table, show, watch
 
 __getattr__ = lazy_exports(
     __name__,
@@ -24,7 +24,7 @@ __getattr__ = lazy_exports(
         "app.run": ("run_experiment",),
         "core.errors": ("InputError",),
         "model": ("PoseModel", "load"),
-        "recording": ("load_poses", "load_run", "runs_table", "show"),
+        "recording": ("load_poses", "load_run", "runs_table", "show", "watch"),
     },
 )
 
@@ -37,6 +37,7 @@ __all__ = [
     "run_experiment",
     "runs_table",
     "show",
+    "watch",
 ]
 
 

@@ -1,4 +1,5 @@
 import os
+import re
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -6,6 +7,7 @@ from pathlib import Path
 
 import jupytext
 import nbclient
+import nbformat
 import pytest
 from browser import chromium, evaluate, listening, opened, picture, wait_for
 
@@ -13,17 +15,36 @@ from silpose.recording.viewer.process import free_port
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.py"))
 
+SECONDS = {"04_tracking": 8, "06_compare_runs": 2, "08_fitting": 3}  # of each take, else 4
+SHORT = """
+import silpose.motion
+short = {{"seconds": {seconds}, "test_seconds": {seconds}}}
+def short_takes(takes=silpose.motion.WalkerTakes, **given):
+    return takes(**given | short)
+def short_run(settings, run=silpose.run_experiment):
+    walkers = not any(setting.startswith("motion=") for setting in settings)
+    return run([*settings, *(f"motion.{{k}}={{v}}" for k, v in short.items() if walkers)])
+silpose.motion.WalkerTakes, silpose.run_experiment = short_takes, short_run
+"""
+
+
+def short_notebook(path):
+    """Read a notebook, and let it run on takes of a few seconds."""
+    notebook = jupytext.read(path)
+    code = SHORT.format(seconds=SECONDS.get(path.stem, 4))
+    notebook.cells.insert(0, nbformat.v4.new_code_cell(code))
+    return notebook
+
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_runs_from_top_to_bottom(path, tmp_path, monkeypatch):
-    monkeypatch.setenv("SILPOSE_FAST", "1")
     monkeypatch.setenv(
         "OMP_NUM_THREADS", "1"
     )  # there is little to compute: threads would only wait
     # Without a browser, the viewer need not be served, which takes time to pack its 30 MB.
     monkeypatch.setenv("RERUN_NOTEBOOK_ASSET", "http://127.0.0.1:9/widget.js")
-    notebook = jupytext.read(path)
+    notebook = short_notebook(path)
     client = nbclient.NotebookClient(
         notebook, timeout=300, resources={"metadata": {"path": tmp_path}}
     )
@@ -31,6 +52,16 @@ def test_runs_from_top_to_bottom(path, tmp_path, monkeypatch):
     last = [cell for cell in notebook.cells if cell.cell_type == "code"][-1]
     shown = {kind for output in last.outputs for kind in output.get("data", {})}
     assert "application/vnd.jupyter.widget-view+json" in shown  # the embedded viewer
+    assert "image/png" in shown  # what a page made of the notebook shows
+    if path.stem == "04_tracking":
+        words = "".join(each.text for cell in notebook.cells[2:] for each in printed(cell))
+        error = dict(re.findall(r"^(\w+): ([\d.]+)°$", words, flags=re.MULTILINE))
+        assert float(error["tracker_lag"]) < float(error["ridge"])  # as its title says
+
+
+def printed(cell):
+    """Outputs of a cell that are text alone."""
+    return [output for output in cell.get("outputs", []) if output.output_type == "stream"]
 
 
 def test_the_first_notebook_has_five_cells():
@@ -42,7 +73,7 @@ def test_the_first_notebook_has_five_cells():
 def test_a_viewer_is_drawn_in_jupyterlab(tmp_path):
     chromium()  # skips without one
     path = next(path for path in NOTEBOOKS if path.stem == "02_descriptor")
-    jupytext.write(jupytext.read(path), tmp_path / "notebook.ipynb")
+    jupytext.write(short_notebook(path), tmp_path / "notebook.ipynb")
     with lab(tmp_path) as address, opened(address, tmp_path) as call:
         wait_for(lambda: evaluate(call, f"{KERNEL}.status == 'idle'"))
         evaluate(call, "void jupyterapp.commands.execute('notebook:run-all-cells')")
@@ -87,7 +118,7 @@ def lab(folder):
     process = subprocess.Popen(
         [sys.executable, "-m", "jupyterlab", "--no-browser"]
         + [f"--{name}={value}" for name, value in options.items()],
-        env=os.environ | own | {"SILPOSE_FAST": "1", "OMP_NUM_THREADS": "1"},
+        env=os.environ | own | {"OMP_NUM_THREADS": "1"},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
     )

@@ -7,6 +7,21 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from silpose.app.pictures import (
+    film_options,
+    paint_film,
+    paint_picture,
+    picture_options,
+    recording_of,
+)
+from silpose.core.stage_lines import stage_lines
+from silpose.core.stages import stage
+
+RECORDINGS = Path("recordings")
+"""Where runs are if nothing else is said; it need not be there yet."""
+
+_NAMED = 4  # runs, at most, that are all in the name of their comparison
+
 
 @dataclass(frozen=True)
 class Tool:
@@ -20,12 +35,15 @@ class Tool:
     options : callable
         Adds arguments and options to the verb's parser.
     run : callable
+    example : str
+        What may follow the verb.
     """
 
     argument: str
     help: str
     options: Callable[[argparse.ArgumentParser], None]
     run: Callable[[argparse.Namespace], None]
+    example: str
 
 
 def run_tool(arguments: Sequence[str]) -> None:
@@ -40,14 +58,10 @@ def run_tool(arguments: Sequence[str]) -> None:
     given.tool.run(given)
 
 
-def _recording(run: Path) -> Path:
-    return run / "run.rrd" if run.is_dir() else run
-
-
 def _say_how_to_open(recording: Path) -> None:
-    from silpose.app.paths import rerun_command, shorten_path
+    from silpose.app.paths import pasted, rerun_command
 
-    print(f"Open it:  {rerun_command()} {shorten_path(recording)}")
+    print(f"Open it:  {rerun_command()} {pasted(recording)}")
 
 
 def _one_run(verb: argparse.ArgumentParser) -> None:
@@ -56,55 +70,29 @@ def _one_run(verb: argparse.ArgumentParser) -> None:
 
 def _compare_options(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("runs", nargs="+", type=Path, metavar="RUN", help="folders of runs")
-    verb.add_argument("-o", "--output", type=Path, default=Path("comparison.rrd"))
+    named = "recording; named after the runs if not set"
+    verb.add_argument("-o", "--output", type=Path, help=named)
     verb.add_argument("--method", help="whose errors are drawn")
 
 
 def _compare(given: argparse.Namespace) -> None:
     from silpose.recording import compare, load_run
 
-    compare([load_run(folder) for folder in given.runs], given.output, given.method)
-    _say_how_to_open(given.output)
-
-
-def _painted_options(verb: argparse.ArgumentParser, width: int) -> None:
-    _one_run(verb)
-    verb.add_argument("--view", help="beginning of a view's title; else the whole window")
-    verb.add_argument("--width", type=int, default=width, help="pixels")
-
-
-def _picture_options(verb: argparse.ArgumentParser) -> None:
-    _painted_options(verb, width=1600)
-    verb.add_argument("--frame", type=int, default=0)
-    verb.add_argument("-o", "--output", type=Path, default=Path("picture.png"))
-
-
-def _picture(given: argparse.Namespace) -> None:
-    from silpose.recording import picture
-
-    picture(_recording(given.run), given.frame, given.output, given.view, given.width)
-
-
-def _film_options(verb: argparse.ArgumentParser) -> None:
-    _painted_options(verb, width=900)
-    verb.add_argument("--first", type=int, default=0, help="frame")
-    verb.add_argument("--last", type=int, default=59, help="frame")
-    verb.add_argument("--every", type=int, default=1, help="so many frames apart")
-    verb.add_argument("--rate", type=float, default=15, help="of the recording, frames per second")
-    verb.add_argument("-o", "--output", type=Path, default=Path("film.gif"))
-
-
-def _film(given: argparse.Namespace) -> None:
-    from silpose.recording import film
-
-    frames = range(given.first, given.last + 1, given.every)
-    rate = given.rate / given.every
-    film(_recording(given.run), frames, given.output, given.view, given.width, rate)
+    runs = [load_run(folder) for folder in given.runs]
+    names = [run.folder.name for run in runs]
+    if len(names) > _NAMED:
+        names = [names[0], "to", names[-1]]
+    output = given.output or Path(f"{runs[0].experiment}_{'_'.join(names)}.rrd")
+    with stage_lines(), stage("comparing"):
+        compare(runs, output, given.method)
+    _say_how_to_open(output)
 
 
 def _root(verb: argparse.ArgumentParser) -> None:
-    folder = Path("recordings")
-    verb.add_argument("folder", nargs="?", type=Path, default=folder, metavar="FOLDER")
+    of_runs = "of runs, 'recordings' by default"
+    verb.add_argument(
+        "folder", nargs="?", type=Path, default=RECORDINGS, metavar="FOLDER", help=of_runs
+    )
 
 
 def _serve_options(verb: argparse.ArgumentParser) -> None:
@@ -113,9 +101,10 @@ def _serve_options(verb: argparse.ArgumentParser) -> None:
 
 
 def _serve(given: argparse.Namespace) -> None:
+    from silpose.experiments.catalogue import CATALOGUE
     from silpose.recording import serve
 
-    serve(given.folder, given.port)
+    serve(given.folder, given.port, {name: entry.question for name, entry in CATALOGUE.items()})
 
 
 def _repair(given: argparse.Namespace) -> None:
@@ -130,13 +119,43 @@ def _list(given: argparse.Namespace) -> None:
     print_runs(given.folder)
 
 
-def _open(given: argparse.Namespace) -> None:
-    from silpose.recording import open_recording
+def _open_options(verb: argparse.ArgumentParser) -> None:
+    newest = "a run's folder, or a recording; the run that was finished last if not given"
+    verb.add_argument("run", nargs="?", type=Path, metavar="RUN", help=newest)
 
-    recording = _recording(given.run)
-    if not open_recording(recording):
+
+def _open(given: argparse.Namespace) -> None:
+    from silpose.app.paths import shorten_path
+    from silpose.recording import newest_run, open_recording
+
+    recording = recording_of(given.run or newest_run().folder)
+    if open_recording(recording):
+        print(f"Opening {shorten_path(recording)}")
+    else:
         print("there is no screen here; on a machine with one:")
         _say_how_to_open(recording)
+
+
+def _paper_options(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument(
+        "arguments",
+        nargs="*",
+        metavar="key=value",
+        help="paper.parts=[tracking,mixture], paper.fast=true, paper.seeds=3, paper.authors=FILE, "
+        "paper.video=FILE, paper.root=FOLDER, paper.name=NAME; and settings of all experiments, "
+        "such as motion=bvh motion.root=FOLDER",
+    )
+
+
+def _paper(given: argparse.Namespace) -> None:
+    from silpose.app.paper import parse, run_paper
+    from silpose.app.paths import pasted
+
+    report = run_paper(parse(given.arguments))
+    for part, reason in report.failed.items():
+        print(f"{part} failed: {reason}")
+    counts = ", ".join(f"{count} {word}" for word, count in report.counts().items())
+    print(f"Claims: {counts}. Read it:  {pasted(report.folder / 'report.html')}")
 
 
 def _settings_options(verb: argparse.ArgumentParser) -> None:
@@ -156,14 +175,73 @@ def _settings(given: argparse.Namespace) -> None:
     print_settings(wanted, [argument for argument in given.arguments if "=" in argument])
 
 
+def _completion_options(verb: argparse.ArgumentParser) -> None:
+    verb.add_argument("shell", choices=("bash", "zsh"))
+
+
+def _completion(given: argparse.Namespace) -> None:
+    from silpose.app.completion import completion_script
+    from silpose.app.verbs import EXPERIMENT_VERBS
+
+    print(completion_script(given.shell, tuple(EXPERIMENT_VERBS), tuple(TOOLS)))
+
+
+_RUN = "recordings/tracking/001"
+
 TOOLS = {
-    "list": Tool("[FOLDER]", "the runs below a folder, as a table", _root, _list),
-    "open": Tool("RUN", "a run's recording in the viewer", _one_run, _open),
-    "compare": Tool("RUN…", "runs on one timeline, in one recording", _compare_options, _compare),
-    "picture": Tool("RUN", "a frame of a recording, without a screen", _picture_options, _picture),
-    "film": Tool("RUN", "a stretch of a recording as GIF or MP4", _film_options, _film),
-    "serve": Tool("[FOLDER]", "runs in the browser, on this machine only", _serve_options, _serve),
-    "repair": Tool("RUN", "salvage a recording that was cut off", _one_run, _repair),
-    "settings": Tool("[GROUP]", "what can be set, and what it means", _settings_options, _settings),
+    "list": Tool("[FOLDER]", "experiments with their questions, and runs", _root, _list, ""),
+    "open": Tool(
+        "[RUN]",
+        "a run's recording in the viewer, the newest by default",
+        _open_options,
+        _open,
+        _RUN,
+    ),
+    "compare": Tool(
+        "RUN…",
+        "runs on one timeline, in one recording",
+        _compare_options,
+        _compare,
+        f"{_RUN} recordings/tracking/002",
+    ),
+    "picture": Tool(
+        "RUN",
+        "a frame of a recording, without a screen",
+        picture_options,
+        paint_picture,
+        f"{_RUN} --frame 120",
+    ),
+    "film": Tool(
+        "RUN",
+        "a stretch of a recording as GIF or MP4",
+        film_options,
+        paint_film,
+        f"{_RUN} --view true --last 90",
+    ),
+    "serve": Tool(
+        "[FOLDER]", "runs in the browser, on this machine only", _serve_options, _serve, ""
+    ),
+    "repair": Tool("RUN", "salvage a recording that was cut off", _one_run, _repair, _RUN),
+    "paper": Tool(
+        "[key=value …]",
+        "every experiment of the paper, and one report of them",
+        _paper_options,
+        _paper,
+        "paper.fast=true",
+    ),
+    "settings": Tool(
+        "[GROUP]",
+        "what can be set, and what it means",
+        _settings_options,
+        _settings,
+        "regression",
+    ),
+    "completion": Tool(
+        "SHELL",
+        "commands, runs and choices completed",
+        _completion_options,
+        _completion,
+        "bash >> ~/.bashrc",
+    ),
 }
 """All tools, in the order of the help text."""

@@ -14,6 +14,7 @@ from silpose.app.conf_folder import config_folder
 from silpose.app.config import check_overrides, explain
 from silpose.app.schema import register
 from silpose.core.errors import InputError
+from silpose.core.stages import stage
 
 
 def run_job() -> None:
@@ -36,8 +37,9 @@ def _job(settings: DictConfig) -> float | None:
         check_overrides(settings, overrides)
         if in_sweep:
             print(*overrides)
-        from silpose.app.run import run_experiment  # heavy: only once the overrides are right
-        from silpose.app.summary import summarise
+        with stage("loading"):
+            from silpose.app.run import run_experiment  # heavy: only once the overrides are right
+            from silpose.app.summary import summarise
 
         run = run_experiment(settings)
         summarise(run)

@@ -11,6 +11,7 @@ from silpose.app.commands import TOOLS, run_tool
 from silpose.app.suggestions import nearest
 from silpose.app.verbs import EXPERIMENT_VERBS, help_text, overrides_of, verb_help
 from silpose.core.errors import InputError
+from silpose.core.stages import stage
 
 
 def main() -> None:
@@ -28,7 +29,7 @@ def main() -> None:
 def _run(arguments: Sequence[str]) -> None:
     verb = arguments[0] if arguments else ""
     if verb in TOOLS:
-        run_tool(arguments)
+        run_tool([argument for argument in arguments if argument != "debug=true"])
     elif verb in EXPERIMENT_VERBS and arguments[1:2] in (["-h"], ["--help"]):
         print(verb_help(verb))
     elif verb in EXPERIMENT_VERBS:
@@ -38,22 +39,30 @@ def _run(arguments: Sequence[str]) -> None:
         raise InputError(f"there is no command '{verb}'{nearest(verb, known)}")
     elif {"-h", "--help"} & set(arguments):
         print(help_text())
+    elif "--version" in arguments:
+        from silpose.recording.header import versions
+
+        print(", ".join(f"{name} {version}" for name, version in versions().items()))
     else:
         _run_hydra(arguments)
 
 
 def _run_hydra(arguments: Sequence[str]) -> None:
     # Heavy imports wait until there is something to do: --help answers at once.
-    from silpose.app.job import go_on_showing, run_job
-    from silpose.app.typed_paths import with_paths_quoted
+    from silpose.core.stage_lines import stage_lines
 
-    overrides = [a for a in arguments if a[:1] in "+~" or ("=" in a and not a.startswith("-"))]
-    options = [a for a in arguments if a not in overrides]
-    sweep = bool({"-m", "--multirun"} & set(options))
-    overrides = with_paths_quoted(overrides, sweep)
-    sys.argv[1:] = [*options, *overrides]  # where Hydra reads them, in this order only
-    run_job()
-    go_on_showing()
+    with stage_lines():
+        with stage("loading"):
+            from silpose.app.job import go_on_showing, run_job
+            from silpose.app.typed_paths import with_paths_quoted
+
+        overrides = [a for a in arguments if a[:1] in "+~" or ("=" in a and not a.startswith("-"))]
+        options = [a for a in arguments if a not in overrides]
+        sweep = bool({"-m", "--multirun"} & set(options))
+        overrides = with_paths_quoted(overrides, sweep)
+        sys.argv[1:] = [*options, *overrides]  # where Hydra reads them, in this order only
+        run_job()
+        go_on_showing()
 
 
 def sentence(error: Exception) -> str:

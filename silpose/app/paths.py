@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import shutil
 import sys
 from pathlib import Path
@@ -13,7 +14,12 @@ def rerun_command() -> str:
     beside = Path(sys.executable).with_name("rerun")
     if shutil.which("rerun") or not beside.exists():
         return "rerun"
-    return shorten_path(beside)
+    return pasted(beside)
+
+
+def pasted(path: Path) -> str:
+    """Shorten a path, and quote it if a shell needs that."""
+    return shlex.quote(shorten_path(path))
 
 
 def shorten_path(path: Path) -> str:

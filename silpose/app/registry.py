@@ -89,7 +89,9 @@ COMPONENTS: dict[str, Component] = {
     "tracking.baselines": Component("silpose.tracking:SmoothingBaselines"),
     "fitting": Component("silpose.fitting:FittingOptions"),
     "dataset": Component("silpose.app.compose:descriptor_cache"),
-    "recording": Component("silpose.recording:RunFolder.start", ("experiment", "settings")),
+    "recording": Component(
+        "silpose.recording:RunFolder.start", ("experiment", "settings", "defaults")
+    ),
 }
 """The component of a group, beside its alternatives if it has any.
 

@@ -8,6 +8,7 @@ from functools import partial
 
 from joblib import parallel_config
 from omegaconf import DictConfig, OmegaConf
+from threadpoolctl import threadpool_limits
 
 from silpose.app.build import build, prepare_call
 from silpose.app.compose import build_components
@@ -70,14 +71,23 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
     components = build_components(settings)
     prepared = partial(prepare_call, experiment(name), "", own)
     prepared(components=components)  # refuses wrong settings before there is a folder
-    text = OmegaConf.to_yaml(settings, resolve=True)
-    folder = build("recording", given["recording"], experiment=name, settings=text)
+    text, defaults = (
+        OmegaConf.to_yaml(each, resolve=True) for each in (settings, load([f"experiment={name}"]))
+    )
+    folder = build(
+        "recording", given["recording"], experiment=name, settings=text, defaults=defaults
+    )
     try:
         job = prepared(components=replace(components, run=folder))
-        with timing() as seconds, parallel_config(n_jobs=options.n_jobs):
+        with timing() as seconds, parallel_config(n_jobs=options.n_jobs), _one_blas_thread():
             result = job()
             write_result(folder, result, options.seed, seconds)
     except BaseException:
         folder.abandon()
         raise
     return load_run(folder.folder)
+
+
+def _one_blas_thread() -> threadpool_limits:
+    """Keep linear algebra on one thread: beside another program, several mostly wait."""
+    return threadpool_limits(1, user_api="blas")

@@ -15,9 +15,7 @@ from omegaconf import DictConfig
 from silpose.app.registry import ALTERNATIVES, COMPONENTS, Component, experiment
 from silpose.app.signatures import Parameter
 from silpose.experiments import EXPERIMENTS
-
-SEEDS = ("seed", "random_state")
-"""Parameters that are the run's seed if nothing else is given."""
+from silpose.recording.runs.setting_differences import SEEDS
 
 _OWN_FILES = ("silhouette.scenes",)  # parts that are chosen by themselves
 

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from rich.console import Console
+from collections.abc import Sequence
+
+from rich.console import Console, Group
+from rich.markup import escape
 from rich.table import Table
 
-from silpose.app.paths import rerun_command, shorten_path
-from silpose.evaluation import headlines
+from silpose.app.paths import pasted, rerun_command, shorten_path
+from silpose.core.stage_lines import animated
+from silpose.evaluation import best_first, explanations, headlines
+from silpose.experiments import CATALOGUE
+from silpose.experiments.catalogue import Entry
 from silpose.recording import FinishedRun
+
+_BETWEEN = 3  # characters between two columns
 
 
 def summarise(run: FinishedRun) -> None:
@@ -16,25 +24,60 @@ def summarise(run: FinishedRun) -> None:
     if run.report:
         console.print(run.report, markup=False, highlight=False, soft_wrap=True)
     if run.metrics:
-        console.print(results(run))
+        console.print(results(run, console.width))
+        for words in explanations(run.metrics):
+            console.print(f"[dim]{escape(words)}[/dim]", highlight=False)
     if run.summary:
-        console.print(run.summary, highlight=False, soft_wrap=True)
-    took = ", ".join(f"{stage} {s:.1f} s" for stage, s in run.seconds.items())
-    console.print(f"[dim]{took}[/dim]", soft_wrap=True)
+        console.print(run.summary, markup=False, highlight=False, soft_wrap=True)
+    if not animated(Console(stderr=True)):  # else each stage has a line that tells its seconds
+        took = ", ".join(f"{stage} {s:.1f} s" for stage, s in run.seconds.items())
+        console.print(f"[dim]{took}[/dim]", soft_wrap=True)
     if recorded := run.recording.is_file():
-        console.print(f"Open it:  {rerun_command()} {shorten_path(run.recording)}", soft_wrap=True)
+        opening = f"{rerun_command()} {pasted(run.recording)}"
+        console.print(f"Open it:  {escape(opening)}", highlight=False, soft_wrap=True)
     place = "beside it" if recorded else f"in {shorten_path(run.folder)}"
     beside = sorted(f.name for f in run.folder.iterdir() if f != run.recording)
-    console.print(f"[dim]{place}: {', '.join(beside)}[/dim]", soft_wrap=True)
+    console.print(f"[dim]{escape(place)}: {', '.join(beside)}[/dim]", soft_wrap=True)
 
 
-def results(run: FinishedRun) -> Table:
-    """Lay the headlines out, a row per method."""
-    table = Table(title=f"{run.dataset}: errors on unseen takes", title_justify="left")
-    titles, rows = headlines(run.metrics)
-    for title in titles:
-        name = title == titles[0]  # whole, even if titles have to take more lines
-        table.add_column(title, justify="left" if name else "right", no_wrap=name)
-    for row in rows:
-        table.add_row(*row)
-    return table
+def results(run: FinishedRun, width: int = 80) -> Group:
+    """Lay the headlines out, a row per method, the best first.
+
+    Parameters
+    ----------
+    run : FinishedRun
+    width : int, default=80
+        Characters of a line. Columns that do not fit stand in further tables below.
+    """
+    entry = CATALOGUE.get(run.experiment, Entry(""))
+    ordered, best = best_first(run.metrics)
+    (_, *titles), rows = headlines(ordered)
+    columns = list(zip(titles, *(own for _, *own in rows), strict=True))
+    least = [max(map(len, (*title.split(), *values))) for title, *values in columns]
+    room = width - max(map(len, (entry.rows, *ordered))) - (_BETWEEN + 1)
+    tables: list[Table] = []
+    for part in _parts(least, room):
+        title = "" if tables else f"{escape(run.dataset)}: {entry.table}"
+        table = Table(title=title, title_justify="left", title_style="")
+        table.add_column(entry.rows, no_wrap=True)
+        spare = room - sum(least[k] + _BETWEEN for k in part)
+        for k in part:
+            wide = min(max(len(titles[k]), least[k]), least[k] + spare)
+            table.add_column(titles[k], justify="right", width=wide)
+            spare -= wide - least[k]
+        for method, *values in rows:
+            style = "bold" if method == best else ""
+            table.add_row(escape(method), *(values[k] for k in part), style=style)
+        tables.append(table)
+    return Group(*tables)
+
+
+def _parts(widths: Sequence[int], room: int) -> list[list[int]]:
+    """Divide columns of least widths among as few tables as have room for them."""
+    parts: list[list[int]] = [[]]
+    for k in range(len(widths)):
+        wide = sum(widths[j] + _BETWEEN for j in (*parts[-1], k))
+        if parts[-1] and wide > room:
+            parts.append([])
+        parts[-1].append(k)
+    return parts

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 PATHS = (
     *("silhouette.source", "model", "motion.root", "dataset.path", "dataset.cache"),
-    *("recording.root", "into", "pattern", "cache"),
+    *("recording.root", "recording.name", "into", "pattern", "cache"),
     *("silhouette.video.background", "silhouette.video.environment"),
 )
 """Settings that are paths."""

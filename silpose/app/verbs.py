@@ -24,11 +24,14 @@ class Verb:
         What the verb stands for.
     source : str
         The setting that the path is for.
+    example : str
+        What may follow the verb.
     """
 
     help: str
     overrides: tuple[str, ...]
     source: str
+    example: str = "PATH"
 
 
 EXPERIMENT_VERBS = {
@@ -36,24 +39,31 @@ EXPERIMENT_VERBS = {
         "what is understood of motion capture, a file or a folder, with a picture",
         ("experiment=motion_report", "motion=bvh", "motion.formats=[bvh,amc,npz]"),
         "motion.root",
+        "walks/",
     ),
     "predict": Verb(
         "poses for a folder or video of masks",
         ("experiment=predict", "silhouette=masks"),
         "silhouette.source",
+        "my_masks/ lag=0.5",
     ),
     "video": Verb(
         "poses and gait of a person in a film, a folder of pictures, from a camera or a stream",
         ("experiment=video",),
         "silhouette.source",
+        "walk.mp4 silhouette.body_height=1.75",
     ),
     "masks": Verb(
         "how masks are read, and what is in them",
         ("experiment=masks", "silhouette=masks", "recording=none"),
         "silhouette.source",
+        "my_masks/",
     ),
 }
 """A new verb takes one entry here."""
+
+_EXPERIMENT = "experiment=tracking motion.seconds=20"
+_SWEEP = "-m experiment=tracking seed=0,1,2"
 
 
 def overrides_of(verb: str, arguments: Sequence[str]) -> list[str]:
@@ -95,31 +105,34 @@ def verb_help(verb: str) -> str:
 
 
 def help_text() -> str:
-    """Describe the command: its verbs, then the groups and their choices."""
-    verbs = {f"{name} PATH": verb.help for name, verb in EXPERIMENT_VERBS.items()}
-    tools = {f"{name} {tool.argument}".strip(): tool.help for name, tool in TOOLS.items()}
+    """Describe the command: its verbs with examples, then the groups and their choices."""
+    verbs = {
+        "[key=value …]": ("an experiment, with its figure, numbers and recording", _EXPERIMENT),
+        "-m [key=value,value …]": ("the same for each value", _SWEEP),
+    }
+    for name, verb in EXPERIMENT_VERBS.items():
+        verbs[f"{name} PATH"] = verb.help, f"{name} {verb.example}"
+    for name, tool in TOOLS.items():
+        verbs[f"{name} {tool.argument}"] = tool.help, f"{name} {tool.example}"
     choices = {group: ", ".join(names) for group, names in groups().items()}
-    first = max(map(len, (*verbs, *tools, *choices))) + 2
+    first = max(map(len, (*verbs, *choices))) + 2
     return "\n".join(
         (
             "3D human pose from silhouettes by sparse regression, watched step by step in Rerun.",
             "",
-            "  silpose [group=choice …] [key=value …]        runs an experiment",
-            "  silpose -m [key=value,value …]                runs it for each value",
-            "  silpose VERB [PATH …] [key=value …]",
-            "",
-            "Verbs that run an experiment:",
-            *_table(verbs, first),
-            "",
-            "Verbs for finished runs and for settings ('silpose VERB --help' has their options):",
-            *_table(tools, first),
+            "Commands ('silpose COMMAND --help' has their options), each with an example:",
+            *(line for name, words in verbs.items() for line in _with_example(name, *words, first)),
             "",
             "Groups and their choices (group=choice):",
             *_table(choices, first),
             "",
-            "Settings of a group, their values and what they mean: silpose settings GROUP",
+            "What each experiment asks: silpose list. Settings of a group: silpose settings GROUP",
         )
     )
+
+
+def _with_example(name: str, words: str, example: str, first: int) -> list[str]:
+    return [*_table({name: words}, first), f"  {'':<{first}}silpose {example.strip()}"]
 
 
 def _table(rows: dict[str, str], first: int) -> list[str]:

@@ -9,12 +9,16 @@ from time import monotonic
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from silpose.core.stages import watcher_of_stage
+
 _PATIENCE = 2.0  # seconds without a bar
 
 
 @contextmanager
 def bar(description: str, total: int) -> Iterator[Callable[[int], None]]:
     """Show how much of a piece of work is done; the bar disappears at its end.
+
+    Where stages have lines, the bar is in the line of the stage that runs.
 
     Parameters
     ----------
@@ -28,6 +32,16 @@ def bar(description: str, total: int) -> Iterator[Callable[[int], None]]:
     advance : callable
         To be called with the number of items that have been done since the last call.
     """
+    if description and (watcher := watcher_of_stage()):
+        with watcher.counting(description, total) as advance:
+            yield advance
+        return
+    with _own_bar(description, total) as advance:
+        yield advance
+
+
+@contextmanager
+def _own_bar(description: str, total: int) -> Iterator[Callable[[int], None]]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
     started = monotonic()
     console = Console(stderr=True)

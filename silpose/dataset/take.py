@@ -57,6 +57,11 @@ class Take:
         return len(self.x)
 
     @property
+    def title(self) -> str:
+        """The take in words, such as ``take 'spiral' of walker_3``."""
+        return f"take '{self.name}' of {self.performer}"
+
+    @property
     def has_masks(self) -> bool:
         """Whether there are masks, rather than descriptors only."""
         return self.masks is not None

@@ -121,8 +121,7 @@ def shape_contexts(
         Each sums to 1, ring after ring; it is zero for a point without any other pixel in reach.
     """
     table, reach, width, bins = offsets
-    left = pixels[:, 0].min()
-    top, first, addresses = _in_rows(pixels, left, width)
+    left, top, first, addresses = _in_rows(pixels, width)
     centre = reach * width + width // 2
 
     contexts = np.zeros((len(points), bins), np.float32)
@@ -186,11 +185,12 @@ def _bins_of_offsets(
 
 
 @numba.njit(cache=True, nogil=True)
-def _in_rows(
-    pixels: Pixels, left: int, width: int
-) -> tuple[int, Pixels, Pixels]:  # pragma: no cover
-    """Sort pixels by row; return the top row, the start of each row, and the addresses."""
-    top, bottom = pixels[:, 1].min(), pixels[:, 1].max()
+def _in_rows(pixels: Pixels, width: int) -> tuple[int, int, Pixels, Pixels]:  # pragma: no cover
+    """Sort pixels by row; return left and top, the start of each row, and the addresses."""
+    left, top, bottom = pixels[0, 0], pixels[0, 1], pixels[0, 1]
+    for n in range(len(pixels)):
+        left = min(left, pixels[n, 0])
+        top, bottom = min(top, pixels[n, 1]), max(bottom, pixels[n, 1])
     first = np.zeros(bottom - top + 2, np.int32)
     for n in range(len(pixels)):
         first[pixels[n, 1] - top + 1] += 1
@@ -202,4 +202,4 @@ def _in_rows(
         row = pixels[n, 1] - top
         addresses[filled[row]] = row * width + pixels[n, 0] - left
         filled[row] += 1
-    return top, first, addresses
+    return left, top, first, addresses

@@ -84,7 +84,8 @@ def _squared_distances(
         count += context[b] != 0
     filled[count : count + 4] = 0
     twice[count : count + 4] = 0
-    squared[:] = norms
+    for k in range(len(norms)):  # an assignment of the whole array is slow to compile
+        squared[k] = norms[k]
     for n in range(0, count, 4):
         a, b, c, d = twice[n], twice[n + 1], twice[n + 2], twice[n + 3]
         row_a, row_b = transposed[filled[n]], transposed[filled[n + 1]]

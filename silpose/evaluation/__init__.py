@@ -14,6 +14,7 @@ from silpose.evaluation.density_baselines import (
     neighbour_modes,
 )
 from silpose.evaluation.error_breakdown import TWIST_ANGLES, error_rows, twist_errors
+from silpose.evaluation.explanations import explanations
 from silpose.evaluation.gait import GaitReport, Walk, gait_report
 from silpose.evaluation.heading import (
     HEADING_LIMIT_DEG,
@@ -21,7 +22,7 @@ from silpose.evaluation.heading import (
     heading_errors,
     key_angles,
 )
-from silpose.evaluation.headlines import HEADLINES, headlines
+from silpose.evaluation.headlines import HEADLINES, best_first, headlines
 from silpose.evaluation.metrics import METRICS, joint_distances, measure
 from silpose.evaluation.pose_differences import KINDS, depth_mirrored, differences, kinds_of
 from silpose.evaluation.recovery import (
@@ -51,6 +52,7 @@ __all__ = [
     "Walk",
     "angles_covered",
     "baselines",
+    "best_first",
     "blank_trials",
     "choose_density_baseline",
     "coverage_by_limb",
@@ -58,6 +60,7 @@ __all__ = [
     "depth_mirrored",
     "differences",
     "error_rows",
+    "explanations",
     "gait_report",
     "heading_confidence",
     "heading_errors",

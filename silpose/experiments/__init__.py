@@ -11,39 +11,31 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from silpose.core.lazy_exports import lazy_exports
+from silpose.experiments.catalogue import CATALOGUE
 
 if TYPE_CHECKING:
     from silpose.experiments.setup import Components, prepare, prepare_tracking
     from silpose.recording import Result
-
-NAMES = (
-    *("single_image", "predict", "video", "masks", "motion_report", "contact_sheet"),
-    *("lookalikes", "training_data"),
-    *("descriptor_space", "similarity", "descriptor_robustness", "descriptor_choices"),
-    *("bridges", "parts", "feature_selection", "regressors"),
-    *("tracking", "extinction", "damping", "kernel_widths", "initialisation"),
-    *("mixture", "ambiguity", "hypotheses", "fitting"),
-)
 
 
 class _Experiments(Mapping[str, "Callable[..., Result]"]):
     """Experiments by name: module and function share it."""
 
     def __getitem__(self, name: str) -> Callable[..., Result]:
-        if name not in NAMES:
+        if name not in CATALOGUE:
             raise KeyError(name)
         experiment: Callable[..., Result] = getattr(import_module(f"{__name__}.{name}"), name)
         return experiment
 
     def __iter__(self) -> Iterator[str]:
-        return iter(NAMES)
+        return iter(CATALOGUE)
 
     def __len__(self) -> int:
-        return len(NAMES)
+        return len(CATALOGUE)
 
 
 EXPERIMENTS: Mapping[str, Callable[..., Result]] = _Experiments()
 
 __getattr__ = lazy_exports(__name__, {"setup": ("Components", "prepare", "prepare_tracking")})
 
-__all__ = ["EXPERIMENTS", "Components", "prepare", "prepare_tracking"]
+__all__ = ["CATALOGUE", "EXPERIMENTS", "Components", "prepare", "prepare_tracking"]

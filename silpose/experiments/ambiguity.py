@@ -67,7 +67,7 @@ def ambiguity(components: Components) -> Result:
         metrics,
         rows=[*chosen.rows, *_rows(shares, ambiguous, kinds), *tidy(metrics)],
         figure=ambiguity_figure(space, shares, means, ambiguous, kinds),
-        recording=Recording(f"test take {take.name} by {take.performer}", record),
+        recording=Recording(f"Shown: {take.title}", record),
         headline=-chosen.log_likelihood,
     )
 

@@ -11,19 +11,23 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array, Indices
 from silpose.evaluation import KINDS
 from silpose.experiments.figures import (
-    ESTIMATED,
-    GREEN,
     NEUTRAL,
-    RED,
-    TRUE,
-    VIOLET,
+    SERIES,
     draw_skeleton,
+    headline,
+    legend_above,
+    without_ink,
 )
+from silpose.recording import palette
+from silpose.recording.figure_style import styled
 
-COLOURS = dict(zip(KINDS, (RED, GREEN, VIOLET), strict=True))
+COLOURS = dict(zip(KINDS, SERIES, strict=False))
+_HEIGHTS, _HALF = (-1.05, 0.85), 0.85  # metres, of what a panel shows around the hips
+_BESIDE = 0.45  # of a person's height, from the first pose to the second
 _APART = 10  # frames between two samples of one kind, at least
 
 
+@styled
 def ambiguity_figure(
     space: PoseSpace,
     shares: Array,
@@ -43,11 +47,16 @@ def ambiguity_figure(
     kinds : ndarray of str, shape (n,)
         How they differ: one of `KINDS`.
     """
-    figure = Figure(figsize=(12, 6), layout="constrained")
+    figure = Figure(figsize=(12, 6.6), layout="constrained")
     grid = figure.add_gridspec(2, 1, height_ratios=[2.2, 1])
     above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     _draw_samples(above, space, shares, means, ambiguous, kinds)
     _plot_probabilities(below.subplots(), shares, kinds)
+    headline(
+        figure, f"One silhouette, several poses: in {ambiguous.mean():.0%} of the frames",
+        "Above: the two most probable poses of some of these frames, side by side as the camera "
+        "sees them; left limbs are light, right limbs dark",
+    )  # fmt: skip
     return figure
 
 
@@ -64,26 +73,29 @@ def _draw_samples(
         own = np.flatnonzero(ambiguous & (kinds == kind))
         likeliest = own[np.argsort(-shares[own, 1], kind="stable")]
         samples += [(frame, kind) for frame in _spread(likeliest, 2)]
-    for axes, (frame, kind) in zip(figure.subplots(1, 6), samples, strict=False):
-        two = space.joints(means[frame, :2])
-        for joints, colour, width in zip(two, (ESTIMATED, TRUE), (2.2, 1.2), strict=True):
-            draw_skeleton(axes, space, joints[:, :2], colour, width)
-        axes.set_aspect("equal")
-        axes.set_title(
-            f"frame {frame}: {kind}\n{shares[frame, 0]:.0%} and {shares[frame, 1]:.0%}", fontsize=8
-        )
-    for axes in figure.axes:
-        axes.axis("off")
-    figure.suptitle("two most probable modes (orange, blue), seen by the camera", fontsize=10)
+    if not samples:
+        return
+    panels = figure.subplots(1, len(samples), squeeze=False)[0]
+    for axes, (frame, kind) in zip(panels, samples, strict=True):
+        two = space.joints(means[frame, :2])[..., :2]
+        two[1, :, 0] += _BESIDE * np.ptp(two[..., 1])
+        for joints, colour in zip(two, palette.MODES, strict=False):
+            draw_skeleton(axes, space, joints, colour, 2.2)
+        axes.set(aspect="equal", ylim=_HEIGHTS)
+        middle = (two[..., 0].min() + two[..., 0].max()) / 2
+        axes.set_xlim(middle - _HALF, middle + _HALF)
+        axes.set_title(f"frame {frame}: {kind}", fontsize=9.5, loc="center")
+        axes.set_xlabel(f"{shares[frame, 0]:.0%} and {shares[frame, 1]:.0%}")
+        without_ink(axes)
 
 
 def _plot_probabilities(axes: Axes, shares: Array, kinds: NDArray[np.str_]) -> None:
-    axes.bar(range(len(shares)), shares[:, 0], 1.0, color=NEUTRAL, label="first mode")
+    axes.bar(range(len(shares)), shares[:, 0], 1.0, color=NEUTRAL, label="most probable pose")
     for kind, colour in COLOURS.items():
         own = np.flatnonzero(kinds == kind)
         axes.bar(own, shares[own, 1], 1.0, shares[own, 0], color=colour, label=f"second: {kind}")
-    axes.set(xlim=(0, len(shares)), ylim=(0, 1), xlabel="frame", ylabel="probability")
-    axes.legend(fontsize=7, ncols=4, loc="lower left")
+    axes.set(xlim=(-0.5, len(shares) - 0.5), ylim=(0, 1), xlabel="frame", ylabel="probability")
+    legend_above(axes)
 
 
 def _spread(frames: Indices, count: int) -> list[int]:

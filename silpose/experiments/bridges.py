@@ -5,14 +5,16 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from silpose.core.parameters import POSITIVE, check_values
 from silpose.core.stages import stage
 from silpose.core.types import Array, Indices
-from silpose.experiments.figures import ESTIMATED, TRUE
+from silpose.experiments.figures import NEUTRAL, SERIES, headline
 from silpose.experiments.setup import Components, prepare
 from silpose.recording import Recording, Result, record_bridges
+from silpose.recording.figure_style import INK, styled
 from silpose.regression import follow_bridges
 
 
@@ -55,25 +57,39 @@ def bridges(components: Components, *, nu: float = 32, width: float = 2) -> Resu
     )
 
 
+@styled
 def _figure(nu: float, objective: Array, kept: Indices, norms: Array) -> Figure:
-    figure = Figure(figsize=(11, 3.8), layout="constrained")
-    bridge, progress, columns = figure.subplots(1, 3)
-    a = np.linspace(0.02, 2.5, 300)
-    bridge.plot(a, np.log(a), "k", lw=2, label="log ‖a‖")
-    for scale in (0.3, 0.8, 1.6):
-        parabola = 0.5 * (a / scale) ** 2 + np.log(scale) - 0.5
-        bridge.plot(a, parabola, lw=1, label=f"bridge at {scale}")
-        bridge.plot(scale, np.log(scale), "ko", ms=3)
-    bridge.set(ylim=(-4, 2), xlabel="‖a‖", title="the penalty and its bridges")
-    bridge.legend(fontsize=8)
+    figure = Figure(figsize=(12, 4.6), layout="constrained")
+    grid = figure.subplot_mosaic([["bridges", "objective", "lines"], ["bridges", "kept", "lines"]])
+    _plot_bridges(grid["bridges"])
     iterations = np.arange(1, len(kept) + 1)
-    progress.plot(iterations, objective, color=TRUE)
-    progress.set(xlabel="iteration", title=f"ν = {nu:g}: {kept[-1]} of {norms.shape[1]} kept")
-    progress.set_ylabel("objective (Eq. 5) of the columns left", color=TRUE)
-    counts = progress.twinx()
-    counts.semilogy(iterations, kept, color=ESTIMATED)
-    counts.set_ylabel("columns left", color=ESTIMATED)
+    grid["objective"].plot(iterations, objective, color=INK)
+    grid["objective"].set(title="objective (Eq. 5) of the columns left", xticklabels=[])
+    grid["kept"].plot(iterations, kept, color=INK)
+    grid["kept"].set(xlabel="iteration", ylim=(0, None), title="number of columns left")
+    for axes in (grid["objective"], grid["kept"]):
+        axes.set_xlim(1, len(kept))
+    every = norms[:, :: max(1, norms.shape[1] // 150)]
     with np.errstate(divide="ignore"):
-        columns.plot(iterations, np.log10(norms[:, :: max(1, norms.shape[1] // 150)]), lw=0.5)
-    columns.set(xlabel="iteration", ylabel="log10 ‖a‖", title="columns, one line each")
+        logs, last = np.log10(every), every[-1] > 0
+    grid["lines"].plot(iterations, logs[:, ~last], color=NEUTRAL, lw=0.5)
+    grid["lines"].plot(iterations, logs[:, last], color=SERIES[0], lw=1.2)
+    grid["lines"].set(xlabel="iteration", ylabel="log₁₀ ‖a‖", xlim=(1, len(kept)))
+    grid["lines"].set_title("columns that stay (coloured) and go (grey)")
+    headline(
+        figure, f"A relevance vector machine becomes sparse: {kept[-1]} of {norms.shape[1]} stay",
+        f"ν = {nu:g}. Each iteration replaces the penalty by parabolas that touch it, and drops "
+        "columns whose norm vanishes.",
+    )  # fmt: skip
     return figure
+
+
+def _plot_bridges(axes: Axes) -> None:
+    """Plot the penalty of a column's norm, and bridges that touch it at some norms."""
+    a = np.linspace(0.02, 2.5, 300)
+    axes.plot(a, np.log(a), color=INK, lw=2.5)
+    for scale, colour in zip((0.3, 0.8, 1.6), SERIES, strict=False):
+        axes.plot(a, 0.5 * (a / scale) ** 2 + np.log(scale) - 0.5, color=colour)
+        axes.plot(scale, np.log(scale), "o", color=INK)
+    axes.set(xlim=(0, 2.5), ylim=(-4, 2), xlabel="norm of a column, ‖a‖", ylabel="penalty")
+    axes.set_title("log ‖a‖ (black) and its quadratic bridges")

@@ -9,13 +9,16 @@ from itertools import cycle
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from silpose.core.parameters import FROM_0_TO_1, POSITIVE_INTEGER, check_values
 from silpose.core.stages import stage
 from silpose.core.types import Mask
 from silpose.dataset import Scene, render_take
+from silpose.experiments.figures import headline
 from silpose.experiments.setup import Components, renderer_of
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.figure_style import HAIRLINE, styled
 from silpose.silhouette import BODIES, DEGRADATIONS, LEVELS, Body, Camera, degrade
 
 
@@ -85,23 +88,30 @@ def _shape_in_words(body: Body) -> str:
 
 
 def _camera_in_words(camera: Camera) -> str:
-    return f"{camera.elevation:.0f}° down, f {camera.focal_length:.1f}\nat {camera.distance:.1f} m"
+    return f"{camera.elevation:.0f}° down\nf {camera.focal_length:.1f}, {camera.distance:.1f} m"
 
 
+@styled
 def _figure(sheet: Sequence[Sequence[Mask]], rows: Sequence[str], columns: Sequence[str]) -> Figure:
-    figure = Figure(figsize=(0.95 * len(columns) + 1.5, 1.4 * len(rows) + 0.5))
+    size = max(len(columns) + 1.6, 5), 1.15 * len(rows) + 1.4
+    close = ConstrainedLayoutEngine(w_pad=0.03, h_pad=0.03, wspace=0, hspace=0)
+    figure = Figure(figsize=size, layout=close)
     grid = figure.subplots(len(rows), len(columns), squeeze=False)
-    figure.subplots_adjust(left=0.13, right=0.995, bottom=0.04, top=0.955, wspace=0.03, hspace=0.03)
     for line, masks, title in zip(grid, sheet, rows, strict=True):
         for axes, mask in zip(line, masks, strict=True):
             axes.imshow(1 - mask, cmap="gray", vmin=-0.15, vmax=1)
             height, width = mask.shape
-            axes.set(xticks=[], yticks=[], xlim=(0.22 * width, 0.78 * width))
-            axes.set_ylim(0.97 * height, 0.05 * height)
-            axes.spines[:].set_color("#c8ccd0")
-        line[0].set_ylabel(title, fontsize=8, rotation=0, ha="right", va="center")
+            axes.set(xticks=[], yticks=[], xlim=(0.1 * width, 0.9 * width))
+            axes.set_ylim(0.98 * height, 0.02 * height)
+            axes.spines[:].set(visible=True, color=HAIRLINE)
+        line[0].set_ylabel(title, rotation=0, ha="right", va="center", fontsize=9)
     for axes, title in zip(grid[0], columns, strict=True):
-        axes.set_title(title, fontsize=7)
+        axes.set_title(title, fontsize=8, loc="center")
     for axes, kind in zip(grid[-1], cycle(DEGRADATIONS)):
-        axes.set_xlabel(kind.replace("_", "\n"), fontsize=7)
+        axes.set_xlabel(kind.replace("_", "\n"), fontsize=8)
+    headline(
+        figure, "What the silhouettes look like that are trained on",
+        "A pose and a camera in each column (f: focal length), a body in each row; "
+        "below, the first row degraded",
+    )  # fmt: skip
     return figure

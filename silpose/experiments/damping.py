@@ -11,10 +11,12 @@ from silpose.core.parallel import parallel_map
 from silpose.core.parameters import FROM_0_TO_1, check_values
 from silpose.core.stages import stage
 from silpose.core.types import Metrics
-from silpose.experiments.figures import ESTIMATED, TRUE, in_words
+from silpose.experiments.figures import NEUTRAL, SERIES, headline, legend_above
 from silpose.experiments.setup import Components, prepare_tracking, tidy
 from silpose.model import TrackerTraining
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 from silpose.tracking import Estimate, SinglePoseTracker
 
 FULL = "full C"
@@ -70,12 +72,17 @@ def _estimate(tracker: SinglePoseTracker) -> Estimate:
     return lambda z, start: tracker.track(z, start).x
 
 
+@styled
 def _figure(values: Sequence[float], metrics: Metrics, metric: str) -> Figure:
-    figure = Figure(figsize=(7, 4), layout="constrained")
+    figure = Figure(figsize=(8, 4.6), layout="constrained")
     axes = figure.subplots()
     errors = [metrics[f"s={s:g}"][metric] for s in values]
-    axes.plot(values, errors, "o-", color=TRUE, label="C = sI")
-    axes.axhline(metrics[FULL][metric], color=ESTIMATED, ls="--", label=FULL)
-    axes.set(xlabel="damping factor s", ylabel=in_words(metric), ylim=(0, None))
-    axes.legend()
+    axes.plot(values, errors, "o-", color=SERIES[0], label="C = sI")
+    axes.axhline(metrics[FULL][metric], color=NEUTRAL, ls="--", lw=2, label="the full matrix C")
+    axes.set(xlabel="damping factor s", ylabel=in_words(metric), xlim=(0, 1.01), ylim=(0, None))
+    legend_above(axes)
+    headline(
+        figure, "How far to follow the dynamics?",
+        "The paper's tracker, with a linear term of the predicted pose that is damped by s",
+    )  # fmt: skip
     return figure

@@ -22,10 +22,12 @@ from silpose.core.progress import bar
 from silpose.core.stages import stage
 from silpose.core.types import Array, Metrics, Row, Settings
 from silpose.dataset import Dataset, poses
-from silpose.experiments.figures import ESTIMATED, TRUE, in_words
+from silpose.experiments.figures import SERIES, headline
 from silpose.experiments.setup import Components, want_masks
 from silpose.model import DescribedDataset, describe_takes, fit_descriptor
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 
 HELLINGER, USUAL = "hellinger", "usual"
 
@@ -134,37 +136,42 @@ def _means(rows: Sequence[Row]) -> Metrics:
     }
 
 
+@styled
 def _figure(rows: Sequence[Row], choices: Choices, usual: Settings, unit: str) -> Figure:
-    lines = -(-len(choices) // 4)
-    figure = Figure(figsize=(12, 3.2 * lines), layout="constrained")
-    grid = figure.subplots(lines, 4, sharey=True, squeeze=False).ravel()
+    columns = -(-len(choices) // 2) if len(choices) > 4 else len(choices)
+    lines = -(-len(choices) // columns)
+    figure = Figure(figsize=(3.2 * max(columns, 2), 3.0 * lines + 0.6), layout="constrained")
+    grid = figure.subplots(lines, columns, sharey=True, squeeze=False).ravel()
     for axes, (name, values) in zip(grid, choices.items(), strict=False):
         keys = [(USUAL, None) if value == usual[name] else (name, value) for value in values]
         own = [[row for row in rows if (row["choice"], row["value"]) == key] for key in keys]
         _plot_choice(axes, own)
-        axes.set_xticks(range(len(values)), ["all" if v is None else str(v) for v in values])
+        spelled = ["all" if v is None else str(v).replace("_", "\n") for v in values]
+        axes.set_xticks(range(len(values)), spelled)
         for tick, value in zip(axes.get_xticklabels(), values, strict=True):
-            tick.set(fontsize=8, fontweight="bold" if value == usual[name] else "normal")
-        axes.set_title(in_words(name), fontsize=10)
+            tick.set_fontweight("bold" if value == usual[name] else "normal")
+        axes.set_title(in_words(name))
+        axes.set_xlim(-0.4, len(values) - 0.6)
     for axes in grid[len(choices) :]:
         axes.axis("off")
-    grid[0].legend(fontsize=8)
-    figure.supylabel(unit, fontsize=9)
-    figure.suptitle(
-        "one parameter at a time; bold: the usual value; a dot per codebook", fontsize=10
-    )
+    figure.legend(*grid[0].get_legend_handles_labels(), loc="outside upper right", ncols=2)
+    figure.supylabel(unit, fontsize=9.5)
+    headline(
+        figure, "Which choices of the descriptor matter?",
+        "One parameter at a time; bold: the usual value; a dot for each codebook",
+    )  # fmt: skip
     return figure
 
 
 def _plot_choice(axes: Axes, by_value: Sequence[Sequence[Row]]) -> None:
     """Plot errors over one parameter's values, whose rows these are."""
-    for error, colour, shift in (
-        ("validation_error", TRUE, -0.08),
-        ("test_error", ESTIMATED, 0.08),
+    for (error, shift), colour in zip(
+        {"validation_error": -0.06, "test_error": 0.06}.items(), SERIES, strict=False
     ):
         errors = [[row[error] for row in own] for own in by_value]
         places = np.arange(len(errors)) + shift
         means = [np.mean(own) for own in errors]
-        axes.plot(places, means, "-", color=colour, label=in_words(error))
+        style = "--" if error == "validation_error" else "-"
+        axes.plot(places, means, style, color=colour, label=in_words(error))
         for place, own in zip(places, errors, strict=True):
-            axes.plot([place] * len(own), own, ".", color=colour, ms=5)
+            axes.plot([place] * len(own), own, ".", color=colour, ms=6)

@@ -25,10 +25,10 @@ from silpose.experiments.descriptor_robustness_figure import (
     TRAINED_ON_DEGRADED,
     descriptor_robustness_figure,
 )
-from silpose.experiments.figures import in_words
 from silpose.experiments.setup import Components, renderer_of
 from silpose.model import DescribedDataset, Descriptor, compare, describe_takes
 from silpose.recording import Header, Recording, Result, record_study
+from silpose.recording.captions import in_words
 from silpose.regression import RegressionCandidates, Regressor
 from silpose.silhouette import Degradation, contour_damage, degrade
 

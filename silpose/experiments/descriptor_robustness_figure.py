@@ -9,15 +9,18 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from silpose.core.types import Mask, Row
-from silpose.experiments.figures import ESTIMATED, GREEN, NEUTRAL, TRUE, in_words
+from silpose.experiments.figures import NEUTRAL, SERIES, headline, without_ink
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 from silpose.silhouette import degrade
 
 TRAINED_ON_DEGRADED = "_trained_on_degraded"
 """Suffix of a descriptor's name where it and its regressor were trained on degraded silhouettes."""
 
-COLOURS = {"shape_contexts": ESTIMATED, "aligned_mask_pca": TRUE, "hu_moments": GREEN}
+COLOURS = dict(zip(("shape_contexts", "aligned_mask_pca", "hu_moments"), SERIES, strict=False))
 
 
+@styled
 def descriptor_robustness_figure(
     rows: Sequence[Row],
     errors: Mapping[str, float],
@@ -50,33 +53,29 @@ def descriptor_robustness_figure(
     """
     kinds = list(next(iter(lost.values())))
     lines = -(-len(kinds) // 3)
-    figure = Figure(figsize=(12, 1.4 + 3.0 * lines), layout="constrained")
+    figure = Figure(figsize=(13, 1.4 + 3.2 * lines), layout="constrained")
     grid = figure.subplots(lines, 3, squeeze=False, sharey=True)
     highest = max(mean_pose_error, *(row["error"] for row in rows))
     for axes, kind in zip(grid.ravel(), kinds, strict=False):
         _plot_errors(axes, [row for row in rows if row["kind"] == kind], errors)
-        for k, (name, colour) in enumerate(COLOURS.items()):
-            clean, degraded = lost[name][kind], lost[name + TRAINED_ON_DEGRADED][kind]
-            text = f"{clean:.0%} lost, {degraded:.0%} if trained on degraded"
-            axes.text(
-                0.98, 0.17 - 0.07 * k, text, color=colour, fontsize=8, ha="right",
-                transform=axes.transAxes,
-            )  # fmt: skip
-        axes.axhline(mean_pose_error, color=NEUTRAL, ls="-.", lw=1, label="mean pose")
-        axes.axvline(100 * damage, color=NEUTRAL, ls=":", lw=1)
-        axes.set(ylim=(0, 1.6 * highest), title=in_words(kind))
+        _write_losses(axes, kind, lost)
+        axes.axhline(mean_pose_error, color=NEUTRAL, ls="-.", label="mean pose")
+        axes.plot([100 * damage] * 2, [0, 1.02 * highest], color=NEUTRAL, ls=":")
+        axes.set(xlim=(0, None), ylim=(0, 1.75 * highest), title=in_words(kind))
+        axes.set_yticks(range(0, int(highest) + 1, max(1, int(highest) // 4)))
         _draw_samples(axes, mask, kind, seed)
     for axes in grid.ravel()[len(kinds) :]:
         axes.axis("off")
-    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside upper right", ncols=4)
     for axes in grid[-1]:
         axes.set_xlabel("contour lost or false, %")
-    figure.supylabel(unit, fontsize=10)
-    figure.suptitle(
-        f"share of the gain over the mean pose that is lost where {damage:.0%} of the contour is "
-        "lost or false",
-        fontsize=11,
-    )
+    figure.supylabel(unit, fontsize=9.5)
+    headline(
+        figure, "What do holes, occluders and shadows cost?",
+        "Dashed, and in brackets: trained on degraded silhouettes. Percentages: how much of its "
+        f"gain over the mean pose a descriptor loses where {damage:.0%} of the contour is lost or "
+        "false (dotted)",
+    )  # fmt: skip
     return figure
 
 
@@ -85,9 +84,20 @@ def _plot_errors(axes: Axes, rows: Sequence[Row], errors: Mapping[str, float]) -
         own = [row for row in rows if row["descriptor"] == name]
         damages = [0.0, *(100 * row["damage"] for row in own)]
         style = ".--" if name.endswith(TRAINED_ON_DEGRADED) else ".-"
-        colour = COLOURS[name.removesuffix(TRAINED_ON_DEGRADED)]
+        clean = name.removesuffix(TRAINED_ON_DEGRADED)
+        label = in_words(name) if name == clean else None
         curve = [error, *(row["error"] for row in own)]
-        axes.plot(damages, curve, style, color=colour, lw=1.2, label=in_words(name))
+        axes.plot(damages, curve, style, color=COLOURS[clean], label=label)
+
+
+def _write_losses(axes: Axes, kind: str, lost: Mapping[str, Mapping[str, float]]) -> None:
+    """Write what each descriptor loses at the dotted line, in its colour."""
+    for k, (name, colour) in enumerate(COLOURS.items()):
+        clean, degraded = lost[name][kind], lost[name + TRAINED_ON_DEGRADED][kind]
+        axes.text(
+            0.99, 0.15 - 0.062 * k, f"{clean:.0%} ({degraded:.0%})", color=colour, ha="right",
+            fontsize=9, transform=axes.transAxes, bbox={"color": "white", "pad": 0.5, "alpha": 0.8},
+        )  # fmt: skip
 
 
 def _draw_samples(axes: Axes, mask: Mask, kind: str, seed: int) -> None:
@@ -97,9 +107,9 @@ def _draw_samples(axes: Axes, mask: Mask, kind: str, seed: int) -> None:
     window = slice(max(0, left - margin), right + margin)
     for k, strength in enumerate((0.1, 0.4, 0.7, 1.0)):
         degraded = degrade(mask, kind, strength, np.random.default_rng([seed, 1]))
-        inset = axes.inset_axes((0.03 + 0.24 * k, 0.62, 0.22, 0.37))
+        inset = axes.inset_axes((0.03 + 0.24 * k, 0.63, 0.22, 0.36))
         inset.imshow(
             1 - 0.75 * degraded[:, window] - 0.12 * mask[:, window], cmap="gray", vmin=0, vmax=1
         )
-        inset.text(0.5, 0.0, f"{strength:g}", fontsize=7, ha="center", transform=inset.transAxes)
-        inset.axis("off")
+        inset.set_xlabel(f"{strength:g}", fontsize=8, labelpad=0)
+        without_ink(inset)

@@ -15,9 +15,11 @@ from silpose.core.stages import stage
 from silpose.core.types import Array, Mask
 from silpose.descriptor import Description
 from silpose.descriptor.context_space import ContextSpace
+from silpose.experiments.figures import NEUTRAL, draw_silhouette, headline, without_ink
 from silpose.experiments.setup import Components, want_masks
 from silpose.model import fit_descriptor
 from silpose.recording import Recording, Result, codebook_picture, record_context_space
+from silpose.recording.figure_style import INK, styled
 
 
 def descriptor_space(components: Components, *, contexts: int = 20_000) -> Result:
@@ -73,10 +75,11 @@ def descriptor_space(components: Components, *, contexts: int = 20_000) -> Resul
             for k, (x, y) in enumerate(space.centres)
         ],
         figure=_figure(space, descriptions[frame], space.points[frame], masks[frame], picture),
-        recording=Recording(f"test take {take.name} by {take.performer}", record),
+        recording=Recording(f"Shown: {take.title}", record),
     )
 
 
+@styled
 def _figure(
     space: ContextSpace,
     description: Description,
@@ -86,30 +89,33 @@ def _figure(
 ) -> Figure:
     hues = np.arange(len(space.centres)) / len(space.centres)
     colours = hsv_to_rgb(np.stack([hues, np.full_like(hues, 0.75), np.full_like(hues, 0.85)], 1))
-    figure = Figure(figsize=(13, 4.6), layout="constrained")
-    everything, one, person, codebook = figure.subplots(1, 4, width_ratios=[1.15, 1.15, 0.6, 1.05])
-    everything.plot(*space.contexts.T, ",", color="0.6")
-    x, y = space.centres.T
-    everything.scatter(x, y, c=colours, s=28, edgecolors="black", linewidths=0.5)
-    everything.set_title("all contexts, and the centres", fontsize=10)
-    x, y = points.T
-    one.scatter(x, y, c=colours[description.nearest], s=10)
-    one.set_title("those of one silhouette", fontsize=10)
-    for axes in (everything, one):
-        axes.set(xlabel="first component", aspect="equal")
-    everything.set_ylabel("second component")
+    own = colours[description.nearest]
+    figure = Figure(figsize=(13, 4.5), layout="constrained")
+    person, one, everything, codebook = figure.subplots(1, 4, width_ratios=[0.6, 1.1, 1.1, 1.05])
+    _draw_points(person, mask, description, own)
+    one.scatter(*points.T, c=own, s=10)
+    one.set_title("2. their shape contexts")
+    everything.plot(*space.contexts.T, ",", color=NEUTRAL)
+    everything.scatter(*space.centres.T, c=colours, s=28, edgecolors=INK, linewidths=0.5)
+    everything.set_title("3. contexts of all silhouettes, and centres")
+    for axes in (one, everything):
+        axes.set(xlabel="first principal component", aspect="equal")
+    one.set_ylabel("second principal component")
     one.set(xlim=everything.get_xlim(), ylim=everything.get_ylim())
-    _draw_silhouette(person, mask, description, colours)
     codebook.imshow(picture)
-    codebook.set_title("the centres in log-polar bins", fontsize=10)
-    codebook.axis("off")
+    codebook.set_title("4. the centres, as log-polar histograms")
+    without_ink(codebook)
+    headline(
+        figure, "What do shape contexts and their codebook look like?",
+        "A point has the colour of the codebook's centre that is nearest to its shape context",
+    )  # fmt: skip
     return figure
 
 
-def _draw_silhouette(axes: Axes, mask: Mask, description: Description, colours: Array) -> None:
-    axes.imshow(1 - 0.2 * mask, cmap="gray", vmin=0, vmax=1)
+def _draw_points(axes: Axes, mask: Mask, description: Description, colours: Array) -> None:
+    draw_silhouette(axes, mask)
     x, y = description.points.T
-    axes.scatter(x, y, c=colours[description.nearest], s=7)
+    axes.scatter(x, y, c=colours, s=8)
     axes.set(xlim=(x.min() - 15, x.max() + 15), ylim=(y.max() + 10, y.min() - 10))
-    axes.set_title("on the silhouette", fontsize=10)
-    axes.axis("off")
+    axes.set_title("1. edge points")
+    without_ink(axes)

@@ -13,9 +13,10 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.stages import stage
 from silpose.core.types import Array
 from silpose.evaluation import thigh_swing
-from silpose.experiments.figures import ESTIMATED, TRUE
+from silpose.experiments.figures import ESTIMATED, TRUE, headline, with_unit
 from silpose.experiments.setup import Components, prepare_tracking, tidy
 from silpose.recording import Recording, Result, record_extinction
+from silpose.recording.figure_style import styled
 from silpose.tracking import EXTINCT, GIVEN, SinglePoseTracker
 
 
@@ -93,20 +94,29 @@ def _by_heading(tracker: SinglePoseTracker) -> np.ndarray:
     return np.argsort(np.arctan2(centres[:, 1], centres[:, 0]))
 
 
+@styled
 def _figure(
     space: PoseSpace, true: Array, poses: Mapping[str, Array], activations: Mapping[str, Array]
 ) -> Figure:
-    figure = Figure(figsize=(5 * len(poses), 6), layout="constrained")
-    rows = figure.subplots(2, len(poses), sharex=True)
+    figure = Figure(figsize=(4.4 * len(poses), 5.4), layout="constrained")
+    rows = figure.subplots(2, len(poses), sharex=True, sharey="row", squeeze=False)
+    highest = max(float(own[GIVEN:].max()) for own in activations.values())
     for (swing, image), (name, x) in zip(rows.T, poses.items(), strict=True):
-        swing.plot(thigh_swing(space, true), color=TRUE, lw=2, label="true")
-        swing.plot(thigh_swing(space, x), color=ESTIMATED, lw=1, label="tracked")
+        swing.plot(thigh_swing(space, true), color=TRUE, lw=3, alpha=0.7, label="true")
+        swing.plot(thigh_swing(space, x), color=ESTIMATED, lw=1.2, label="tracked")
         error = space.distance(true[GIVEN:], x[GIVEN:]).mean()
-        swing.set_title(f"pose kernel {name}: error {error:.2f}")
-        swing.set(ylabel="left thigh, degrees", ylim=(-90, 90))
-        swing.legend(loc="lower left", fontsize=8, ncols=2)
-        image.imshow(
-            activations[name].T, aspect="auto", cmap="magma", vmin=0, interpolation="nearest"
+        swing.set_title(f"kernel {name}: error {with_unit(error, space.metrics[0])}")
+        swing.set(ylim=(-90, 90), yticks=(-90, -45, 0, 45, 90))
+        picture = image.imshow(
+            activations[name].T, aspect="auto", vmin=0, vmax=highest, interpolation="nearest"
         )
-        image.set(xlabel="frame", ylabel="kernels, by heading")
+        image.set_xlabel("frame")
+    rows[0, 0].set_ylabel("left thigh, degrees")
+    rows[1, 0].set_ylabel("kernels, by heading")
+    figure.colorbar(picture, ax=rows[1], label="activation")
+    figure.legend(*rows[0, 0].get_legend_handles_labels(), loc="outside upper right", ncols=2)
+    headline(
+        figure, "A pose kernel that is too narrow loses the track",
+        "Below: where no kernel is active (black), nothing that is seen can correct the track",
+    )  # fmt: skip
     return figure

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import partial
 
+import cv2
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -12,9 +13,11 @@ from numpy.typing import NDArray
 from silpose.core.errors import InputError
 from silpose.core.parameters import POSITIVE_INTEGER, check_values
 from silpose.core.types import Indices
-from silpose.experiments.figures import ESTIMATED, draw_silhouette, in_words
+from silpose.experiments.figures import SERIES, draw_silhouette, headline, without_ink
 from silpose.experiments.setup import Components, prepare, want_masks
 from silpose.recording import Recording, Result, record_features
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 from silpose.regression import check_methods
 
 Marks = Mapping[str, Sequence[NDArray[np.bool_]]]
@@ -77,21 +80,27 @@ def feature_selection(
     )
 
 
+@styled
 def _figure(
     masks: NDArray[np.uint8], points: Sequence[NDArray[np.int32]], marked: Marks, samples: int
 ) -> Figure:
     frames = np.linspace(0, len(masks) - 1, samples + 2)[1:-1].astype(int)
-    figure = Figure(figsize=(1.5 * samples, 1.9 * len(marked)), layout="constrained")
+    figure = Figure(figsize=(max(1.2 * samples, 5), 1.75 * len(marked) + 0.6), layout="constrained")
     grid = figure.subplots(len(marked), samples, squeeze=False)
     for row, (part, own) in zip(grid, marked.items(), strict=True):
         for axes, frame in zip(row, frames, strict=True):
-            mask = masks[frame]
-            draw_silhouette(axes, mask)
-            axes.plot(*points[frame][own[frame]].T, ".", color=ESTIMATED, ms=3)
-            left, right = np.flatnonzero(mask.any(axis=0))[[0, -1]]
-            axes.set_xlim(min(left, mask.shape[1] * 0.25), max(right, mask.shape[1] * 0.75))
-            axes.set_xticks([])
-            axes.set_yticks([])
-        row[0].set_ylabel(in_words(part), fontsize=9)
-    figure.suptitle("silhouette points whose shape contexts vote into retained bins", fontsize=9)
+            draw_silhouette(axes, masks[frame])
+            axes.plot(*points[frame][own[frame]].T, ".", color=SERIES[0], ms=4)
+            left, top, width, height = cv2.boundingRect(masks[frame])
+            middle, half = left + width / 2, max(width, 0.7 * height) / 2
+            axes.set(xlim=(middle - 1.06 * half, middle + 1.06 * half))
+            axes.set_ylim(top + 1.03 * height, top - 0.03 * height)
+            without_ink(axes)
+        row[0].set_ylabel(in_words(part))
+    for axes, frame in zip(grid[0], frames, strict=True):
+        axes.set_title(f"frame {frame}", fontsize=9, loc="center")
+    headline(
+        figure, "Which points of a silhouette determine a body part's pose?",
+        "Marked: points whose shape contexts vote into bins that the part's regressor keeps",
+    )  # fmt: skip
     return figure

@@ -84,7 +84,7 @@ def fitting(
         rows=[*training.selection.rows, *tidy(metrics), *_rows(described.test, takes)],
         figure=fitting_figure(take, silhouettes, first, errors, metrics, BEFORE, AFTER),
         recording=Recording(
-            f"test take {take.name} by {take.performer}; the iterations are those of frame {frame}",
+            f"Shown: {take.title}; the iterations are those of frame {frame}",
             partial(_record, take, camera, fits.body, first, errors, silhouettes, trace, frame),
         ),
         model=described.model(training.ridge, training.tracker, fits.pose_fitter),

@@ -6,33 +6,27 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import to_rgb
+from matplotlib.colors import to_rgb, to_rgba
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.patches import Patch
 
 from silpose.core.types import Array, Mask, Metrics
 from silpose.dataset import Take
-from silpose.experiments.figures import in_words
+from silpose.experiments.figures import ESTIMATED, NEUTRAL, TRUE, headline
 from silpose.experiments.fitted_takes import FittedTake
 from silpose.fitting import overlap_classes
-from silpose.recording import palette
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import DIM, HAIRLINE, INK, styled
 
-_BOTH = "#d3d6db"
-_MASK_ONLY, _BODY_ONLY = map(palette.hexed, (palette.TRUE_ON_WHITE, palette.ESTIMATED_ON_WHITE))
-_BEFORE, _AFTER = "#7d838b", palette.hexed(palette.GREEN_ON_WHITE)
-_GAIN, _OTHER_FIT, _OTHER = "#dcebe0", "#a9cdb4", "#d8dade"
+_BOTH, _MASK_ONLY, _BODY_ONLY = HAIRLINE, TRUE, ESTIMATED
+_BEFORE, _AFTER, _OTHER = DIM, ESTIMATED, NEUTRAL
+_FAINT = 0.45  # opacity of what stands beside what is shown
 _FRAMES = 4
-_GROUPS = (
-    ("mean_pose", "nearest", "knn", "oracle"),
-    ("ridge", "tracker", "tracker_lag"),
-    (
-        *("fitted_from_mean_pose", "fitted", "fitted_live", "fitted_from_tracker"),
-        *("fitted_take_estimated", "fitted_take"),
-    ),
-)
+_GROUPS = (("mean_pose", "nearest", "knn", "oracle"), ("ridge", "tracker", "tracker_lag"))
 _GAP = 0.6  # of a bar, between groups
 
 
+@styled
 def fitting_figure(
     take: Take,
     silhouettes: Mapping[str, Sequence[Mask]],
@@ -59,7 +53,7 @@ def fitting_figure(
     before, after : str
         Methods whose silhouettes are given.
     """
-    figure = Figure(figsize=(13, 8), layout="constrained")
+    figure = Figure(figsize=(13, 8.4), layout="constrained")
     grid = figure.add_gridspec(2, 2, height_ratios=[2.8, 1], width_ratios=[1.25, 1])
     left, right = figure.add_subfigure(grid[0, 0]), figure.add_subfigure(grid[0, 1])
     below = figure.add_subfigure(grid[1, :])
@@ -73,6 +67,7 @@ def fitting_figure(
     pair = {method: errors[method] for method in (before, after)}
     seconds = np.arange(len(take)) / take.frames_per_second
     _plot_over_time(below.subplots(), pair, frames.tolist(), seconds)
+    headline(figure, "What does the mask's own contour add?")
     return figure
 
 
@@ -95,11 +90,11 @@ def _draw_overlaps(
         for axes, frame in zip(line, frames, strict=True):
             draw_overlap(axes, masks[frame], silhouettes[frame])
             axes.set(xlim=window[:2], ylim=window[2:], xticks=[], yticks=[])
-            axes.set_xlabel(f"{errors[frame]:.1f}°, overlap {iou[frame]:.2f}", fontsize=9)
+            axes.set_xlabel(f"{errors[frame]:.1f}°, overlap {iou[frame]:.2f}")
             axes.spines[:].set_visible(False)
-        line[0].set_ylabel(title, fontsize=11, fontweight="bold")
+        line[0].set_ylabel(title, fontweight="bold")
     for axes, frame in zip(panels[0], frames, strict=True):
-        axes.set_title(f"frame {frame}", fontsize=9)
+        axes.set_title(f"frame {frame}", fontsize=9.5, loc="center")
     figure.legend(
         handles=[
             Patch(color=_BOTH, label="mask and body"),
@@ -108,8 +103,6 @@ def _draw_overlaps(
         ],
         loc="outside lower center",
         ncols=3,
-        fontsize=9,
-        frameon=False,
     )
 
 
@@ -127,19 +120,14 @@ def _window(masks: Sequence[Mask]) -> tuple[float, float, float, float]:
 
 def _plot_methods(panels: Sequence[Axes], metrics: Metrics, before: str, after: str) -> None:
     """Draw two errors of every method as bars, the methods of the pictures in their colours."""
-    places = {
-        method: -(number + _GAP * group)
-        for group, methods in enumerate(_GROUPS)
-        for number, method in enumerate(methods, start=sum(map(len, _GROUPS[:group])))
-        if method in metrics
-    }
+    fits = [method for method in metrics if method.startswith("fitted")]
+    groups = (*_GROUPS, sorted(fits, key=lambda method: method == after))
+    shown = [(k, m) for k, methods in enumerate(groups) for m in methods if m in metrics]
+    places = {method: -(number + _GAP * k) for number, (k, method) in enumerate(shown)}
     own = {before: _BEFORE, after: _AFTER}
-    colours = [own.get(m, _OTHER_FIT if m in _GROUPS[2] else _OTHER) for m in places]
-    shown = (
-        ("mean_angular_error_deg", "error of angles, degrees", "{:.2f}"),
-        ("mpjpe_mm", "of joints, mm", "{:.0f}"),
-    )
-    for axes, (metric, title, spelled) in zip(panels, shown, strict=True):
+    colours = [own.get(m, to_rgba(_AFTER if m in fits else _OTHER, _FAINT)) for m in places]
+    spellings = {"mean_angular_error_deg": "{:.2f}", "mpjpe_mm": "{:.0f}"}
+    for axes, (metric, spelled) in zip(panels, spellings.items(), strict=True):
         values = [metrics[method][metric] for method in places]
         longest = 1.6 * metrics[before][metric]
         lengths = [min(value, longest) for value in values]
@@ -147,11 +135,11 @@ def _plot_methods(panels: Sequence[Axes], metrics: Metrics, before: str, after: 
         axes.set_xlim(0, 1.25 * longest)
         for place, length, value in zip(places.values(), lengths, values, strict=True):
             cut = "… " if value > length else ""  # so that the others can be told apart
-            axes.text(length, place, f" {cut}{spelled.format(value)}", va="center", fontsize=9)
-        axes.set_title(title, fontsize=10, loc="left")
+            axes.text(length, place, f" {cut}{spelled.format(value)}", va="center")
+        axes.set_title(in_words(metric).replace(", ", ",\n"))
         axes.set_xticks([])
         axes.set_yticks(list(places.values()), [in_words(method) for method in places])
-        axes.tick_params(axis="y", length=0, labelsize=9)
+        axes.tick_params(axis="y", length=0)
         axes.spines[:].set_visible(False)
     for label, method in zip(panels[0].get_yticklabels(), places, strict=True):
         if method in own:
@@ -163,7 +151,7 @@ def _plot_over_time(
 ) -> None:
     """Draw the errors before and after, and mark the frames of the pictures."""
     (before, worse), (after, better) = errors.items()
-    axes.fill_between(seconds, better, worse, where=better < worse, color=_GAIN, lw=0)
+    axes.fill_between(seconds, better, worse, where=better < worse, color=_AFTER, alpha=0.2, lw=0)
     axes.plot(seconds, worse, color=_BEFORE, lw=1.2)
     axes.plot(seconds, better, color=_AFTER, lw=1.8)
     for method, values, colour, height in (
@@ -173,7 +161,6 @@ def _plot_over_time(
         words = f"{in_words(method)}: {values.mean():.2f}°"
         axes.text(1.01, height, words, color=colour, fontweight="bold", transform=axes.transAxes)
     for frame in frames:
-        axes.axvline(seconds[frame], color="black", lw=0.6, ls=":")
-    axes.set(xlim=(0, max(seconds[-1], 0.1)), xlabel="seconds", ylabel="angles, degrees")
+        axes.axvline(seconds[frame], color=INK, lw=0.6, ls=":")
+    axes.set(xlim=(0, max(seconds[-1], 0.1)), xlabel="seconds", ylabel="angular error, degrees")
     axes.set_ylim(0, 1.05 * np.quantile(worse, 0.995))
-    axes.spines[["top", "right"]].set_visible(False)

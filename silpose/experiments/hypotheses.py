@@ -5,15 +5,21 @@ from __future__ import annotations
 from functools import partial
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 
 from silpose.core.pose_space import PoseSpace
 from silpose.core.progress import bar
 from silpose.core.stages import stage, timed
 from silpose.core.types import Array, Row
 from silpose.evaluation import HEADING_LIMIT_DEG, FailureSequence, blank_trials, cut_trials
-from silpose.experiments.figures import ESTIMATED, NEUTRAL, TRUE, format_headings
+from silpose.experiments.figures import (
+    ESTIMATED,
+    NEUTRAL,
+    SERIES,
+    headline,
+    legend_above,
+    plot_headings,
+)
 from silpose.experiments.setup import (
     MODES_SHOWN,
     Components,
@@ -30,6 +36,8 @@ from silpose.recording import (
     palette,
     record_hypotheses,
 )
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import HAIRLINE, INK, styled
 from silpose.regression import MixtureOfRegressors
 from silpose.silhouette import Camera
 from silpose.tracking import Track
@@ -90,7 +98,7 @@ def hypotheses(components: Components, *, blank_frames: int = 20, trials: int = 
         ],
         figure=_figure(space, sequence, mixture, track, seconds),
         recording=Recording(
-            f"{take.name} by {take.performer}, with blank frames and a cut injected",
+            f"Shown: {take.title}, with blank frames and a cut injected",
             partial(_record, space, sequence, mixture, track, take.camera_or(components.camera)),
         ),
         model=described.model(training.ridge, tracker, fitter),
@@ -155,6 +163,7 @@ def _record(
     record_hypotheses(header, take, truth, (weights, means), track, space)
 
 
+@styled
 def _figure(
     space: PoseSpace,
     sequence: FailureSequence,
@@ -163,37 +172,43 @@ def _figure(
     seconds: Seconds,
 ) -> Figure:
     """Heading with failures injected, the tracker's state, and how soon it recovers."""
-    figure = Figure(figsize=(13, 5), layout="constrained")
+    figure = Figure(figsize=(13, 5.8), layout="constrained")
     grid = figure.add_gridspec(1, 2, width_ratios=[2.6, 1])
     left, right = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     headings, states = left.subplots(2, sharex=True, height_ratios=[6, 1])
     z, seen = sequence.z, ~np.isnan(sequence.z).any(axis=1)
     frames = np.arange(len(z))
     alone = space.heading(mixture.predict(z[seen]))
-    headings.plot(frames, space.heading(sequence.take.x), ".", color=TRUE, ms=5, label="true")
     headings.plot(frames[seen], alone, "x", color=NEUTRAL, ms=4, label="single image")
-    headings.plot(frames, space.heading(track.x), ".", color=ESTIMATED, ms=3, label="tracker")
-    headings.axvspan(*frames[~seen][[0, -1]] + (-0.5, 0.5), color="#dddddd", label="blank")
-    headings.axvline(sequence.cut - 0.5, color="black", lw=1, label="cut")
-    format_headings(headings)
-    headings.legend(fontsize=8, ncols=5, loc="lower left")
-    for state, colour in palette.STATES.items():
-        own = frames[np.array(track.state) == state]
-        states.bar(own, 1, 1.0, color=palette.hexed(colour), label=state)
-    states.set(yticks=[], xlabel="frame", xlim=(0, len(z)))
-    states.legend(fontsize=8, ncols=4, loc="center left")
-    _plot_recovery(right.subplots(), seconds)
+    true = sequence.take.x.copy()
+    true[sequence.cut] = np.nan  # a gap
+    plot_headings(headings, space, true, track.x, label="tracker")
+    headings.axvspan(
+        *frames[~seen][[0, -1]] + (-0.5, 0.5), color=HAIRLINE, lw=0, label="blank masks"
+    )
+    headings.axvline(sequence.cut - 0.5, color=INK, lw=1, ls="--", label="cut")
+    legend_above(headings)
+    colours = {state: palette.hexed(colour) for state, colour in palette.STATES.items()}
+    states.bar(frames, 1, 1.0, color=[colours[state] for state in track.state])
+    for state, colour in colours.items():
+        states.bar(0, 0, color=colour, label=state)  # in the legend, even if it never occurs
+    states.set(ylim=(0, 1), yticks=[], xlabel="frame", xlim=(-0.5, len(z) - 0.5), ylabel="state")
+    legend_above(states)
+    _plot_recovery(right, seconds)
+    headline(figure, "Several hypotheses find the track by themselves, and again after failures")
     return figure
 
 
-def _plot_recovery(axes: Axes, seconds: Seconds) -> None:
-    for method, colour in (("tracker", NEUTRAL), ("hypotheses", ESTIMATED)):
+def _plot_recovery(figure: SubFigure, seconds: Seconds) -> None:
+    axes = figure.subplots()
+    for method, colour in (("tracker", SERIES[0]), ("hypotheses", ESTIMATED)):
         for kind, style in (("blank", "-"), ("cut", "--")):
             lost = seconds[method].get(kind)
             if lost is not None:
-                axes.ecdf(np.minimum(lost, 9), color=colour, ls=style, label=f"{method}: {kind}")
-    axes.axvline(SOON, color="black", lw=0.7)
-    axes.set(xlim=(0, 1.5), ylim=(0, 1), xlabel="seconds after a failure")
-    axes.set_ylabel(f"share of tracks within {HEADING_LIMIT_DEG:.0f}° of the heading")
+                label = f"{in_words(method)}, after {'blank masks' if kind == 'blank' else 'a cut'}"
+                axes.ecdf(np.minimum(lost, 9), color=colour, ls=style, lw=2, label=label)
+    axes.axvline(SOON, color=INK, lw=0.7)
+    axes.set(xlim=(-0.03, 1.5), ylim=(0, 1.01), xlabel="seconds after the failure")
+    axes.set_ylabel(f"share of tracks with the heading within {HEADING_LIMIT_DEG:.0f}°")
     if axes.lines[1:]:
-        axes.legend(fontsize=8, loc="lower right")
+        figure.legend(*axes.get_legend_handles_labels(), loc="outside upper right")

@@ -14,10 +14,12 @@ from silpose.core.progress import bar
 from silpose.core.stages import stage
 from silpose.core.types import Array, Metrics
 from silpose.evaluation import HEADING_LIMIT_DEG, heading_errors
-from silpose.experiments.figures import RED, TRUE
+from silpose.experiments.figures import ESTIMATED, NEUTRAL, headline
 from silpose.experiments.setup import Components, prepare_tracking, tidy
 from silpose.model import TrackerTraining
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import INK, styled
 from silpose.tracking import GIVEN, BeliefTracker
 
 Track = Callable[[Array, bool], Array]
@@ -106,15 +108,22 @@ def _state_sensitive(training: TrackerTraining, z: Array, back: bool) -> Array:
     return x[::-1] if back else x
 
 
+@styled
 def _figure(shares: Mapping[str, Array], metrics: Metrics) -> Figure:
-    figure = Figure(figsize=(10, 2 * len(shares)), layout="constrained")
+    figure = Figure(figsize=(11, 1.7 * len(shares) + 1), layout="constrained")
     rows = figure.subplots(len(shares), sharex=True, squeeze=False)[:, 0]
     for axes, (method, share) in zip(rows, shares.items(), strict=True):
-        colours = np.where(share >= LOCKED_SHARE, TRUE, RED)
+        colours = np.where(share >= LOCKED_SHARE, ESTIMATED, NEUTRAL)
         axes.bar(np.arange(len(share)), share, 1.0, color=colours)
-        axes.axhline(LOCKED_SHARE, color="black", lw=0.7)
-        axes.set(ylim=(0, 1), ylabel=f"share within {HEADING_LIMIT_DEG:g}°")
-        title = f"{method}: {metrics[method]['locked_on']:.0%} of starts lock on"
-        axes.set_title(title, fontsize=10)
-    rows[-1].set_xlabel("first frame")
+        axes.axhline(LOCKED_SHARE, color=INK, lw=0.7)
+        axes.set(xlim=(-0.5, len(share) - 0.5), ylim=(0, 1), yticks=(0, 0.5, LOCKED_SHARE))
+        locked = metrics[method]["locked_on"]
+        axes.set_title(f"{in_words(method)}: {locked:.0%} of starts lock on")
+    rows[-1].set_xlabel("first frame of the track")
+    figure.supylabel(f"share of frames within {HEADING_LIMIT_DEG:g}° of the heading", fontsize=9.5)
+    headline(
+        figure, "From which frames does a tracker lock on by itself?",
+        f"Orange: the heading is right in {LOCKED_SHARE:.0%} of the frames, or more, "
+        f"from {SETTLING:g} s after the start",
+    )  # fmt: skip
     return figure

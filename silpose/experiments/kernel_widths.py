@@ -14,9 +14,12 @@ from silpose.core.parallel import parallel_map
 from silpose.core.parameters import POSITIVE, check_values
 from silpose.core.stages import stage
 from silpose.core.types import Array, Row
+from silpose.experiments.figures import headline, without_ink
 from silpose.experiments.setup import Components, prepare_tracking
 from silpose.model import TrackerTraining
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 from silpose.tracking import Estimate
 
 MakeEstimate = Callable[[float, float], Estimate]
@@ -71,7 +74,7 @@ def kernel_widths(
         data.name,
         metrics,
         rows=[*training.selection.rows, *rows],
-        figure=_figure(factors, grids),
+        figure=_figure(factors, grids, in_words(data.space.metrics[0])),
         recording=Recording("tolerance in the kernels' widths", record),
         headline=headline,
     )
@@ -111,15 +114,26 @@ def _belief(training: TrackerTraining) -> MakeEstimate:
     return make
 
 
-def _figure(factors: Sequence[float], grids: Mapping[str, Array]) -> Figure:
-    figure = Figure(figsize=(10, 4.5), layout="constrained")
+@styled
+def _figure(factors: Sequence[float], grids: Mapping[str, Array], unit: str) -> Figure:
+    figure = Figure(figsize=(10.5, 5.2), layout="constrained")
     ticks = [f"{factor:g}" for factor in factors]
-    for axes, (method, grid) in zip(figure.subplots(1, len(grids)), grids.items(), strict=True):
-        axes.imshow(grid, cmap="magma_r", origin="lower", vmin=grid.min(), vmax=2 * grid.min())
+    best = min(float(grid.min()) for grid in grids.values())
+    panels = figure.subplots(1, len(grids), sharey=True, squeeze=False)[0]
+    for axes, (method, grid) in zip(panels, grids.items(), strict=True):
+        picture = axes.imshow(grid, cmap="magma_r", origin="lower", vmin=best, vmax=2 * best)
         for (i, j), value in np.ndenumerate(grid):
-            colour = "white" if value > 1.5 * grid.min() else "black"
-            axes.text(j, i, f"{value:.2f}", ha="center", va="center", fontsize=8, color=colour)
+            colour = "white" if value > 1.5 * best else "black"
+            weight = "bold" if value == grid.min() else "normal"
+            axes.text(j, i, f"{value:.2f}", ha="center", va="center", color=colour, weight=weight)
+        without_ink(axes)
         axes.set_xticks(range(len(ticks)), ticks)
         axes.set_yticks(range(len(ticks)), ticks)
-        axes.set(xlabel="factor of β_z", ylabel="factor of β_x", title=method)
+        axes.set(xlabel="factor of β_z, of the descriptor", title=in_words(method))
+    panels[0].set_ylabel("factor of β_x, of the pose")
+    figure.colorbar(picture, ax=panels, label=unit, extend="max", shrink=0.8)
+    headline(
+        figure, "How exactly must the kernels' widths be tuned?",
+        "1 is what validation chooses; larger factors make a kernel narrower. Bold: the best.",
+    )  # fmt: skip
     return figure

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Self
 
+import cv2
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
@@ -19,14 +19,14 @@ from silpose.core.stages import stage
 from silpose.core.types import Array, Mask
 from silpose.dataset import Dataset
 from silpose.evaluation import heading_errors
-from silpose.experiments.figures import ESTIMATED, NEUTRAL, TRUE, draw_silhouette
+from silpose.experiments.figures import draw_silhouette, draw_skeleton, headline, without_ink
 from silpose.experiments.setup import Components, want_masks
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
+from silpose.recording.figure_style import styled
 from silpose.silhouette import Camera
 
 _GRID = 64  # rows and columns of the small masks by which all pairs are compared
 _TURN = 70.0  # degrees by which the pose is turned to be seen from the side
-_SIDES = {"left": TRUE, "right": ESTIMATED}
 
 
 @dataclass(frozen=True)
@@ -149,31 +149,38 @@ def _most_different(
     return found
 
 
+@styled
 def _figure(space: PoseSpace, seen: Frames, found: Sequence[tuple[int, int]]) -> Figure:
-    figure = Figure(figsize=(9.5, 2.5 * len(found) + 0.5), layout="constrained")
+    figure = Figure(figsize=(10, 2.6 * len(found) + 0.7), layout="constrained")
     side = Rotation.from_euler("Y", -_TURN, degrees=True)
+    window = _window([seen.masks[k] for pair in found for k in pair])
     for line, (i, j) in zip(figure.subplots(len(found), 5, squeeze=False), found, strict=True):
         for axes, beside, k in zip(line[:2], line[3:], (i, j), strict=True):
             joints, camera = space.joints(seen.x[k : k + 1])[0], seen.cameras[k]
             draw_silhouette(axes, seen.masks[k])
-            _draw_sides(axes, space, camera.project(joints))
-            axes.set_title(seen.names[k], fontsize=8)
-            _draw_sides(beside, space, camera.project(side.apply(joints)))
-            beside.set_title(f"seen from {_TURN:.0f}° beside", fontsize=8)
-        line[2].imshow(1 - 0.45 * seen.masks[i] - 0.45 * seen.masks[j], cmap="gray", vmin=0, vmax=1)
-        line[2].set_title(f"overlap {_overlap(seen.masks[i], seen.masks[j]):.0%}", fontsize=8)
-        height, width = seen.masks[i].shape
+            draw_skeleton(axes, space, camera.project(joints), palette.TRUE, 2.2)
+            axes.set_title(seen.names[k].replace(", ", "\n"), fontsize=9, loc="center")
+            beside_joints = camera.project(side.apply(joints))
+            draw_skeleton(beside, space, beside_joints, palette.TRUE, 2.2)
+        line[2].imshow(1 - 0.4 * seen.masks[i] - 0.4 * seen.masks[j], cmap="gray", vmin=0, vmax=1)
+        overlap = _overlap(seen.masks[i], seen.masks[j])
+        line[2].set_title(f"both:\noverlap {overlap:.0%}", fontsize=9, loc="center")
+        for axes, which in zip(line[3:], ("first", "second"), strict=True):
+            title = f"the {which}, seen\nfrom {_TURN:.0f}° beside"
+            axes.set_title(title, fontsize=9, loc="center")
         for axes in line:
-            axes.set(xlim=(0.15 * width, 0.85 * width), ylim=(height, 0), aspect="equal")
-            axes.axis("off")
-    figure.suptitle(
-        "nearly the same silhouette, different poses; left limbs blue, right limbs orange",
-        fontsize=10,
-    )
+            axes.set(xlim=window[:2], ylim=window[2:], aspect="equal")
+            without_ink(axes)
+    headline(
+        figure, "Different poses with nearly the same silhouette",
+        "Left limbs are light, right limbs dark",
+    )  # fmt: skip
     return figure
 
 
-def _draw_sides(axes: Axes, space: PoseSpace, pixels: NDArray[np.floating]) -> None:
-    for bone in space.bones:
-        colour = _SIDES.get(space.joint_names[bone[1]].split("_")[0], NEUTRAL)
-        axes.plot(*pixels[list(bone)].T, color=colour, lw=2.2, solid_capstyle="round")
+def _window(masks: Sequence[Mask]) -> tuple[float, float, float, float]:
+    """Left, right, bottom and top of what holds the person in all masks, and a turned one."""
+    left, top, width, height = cv2.boundingRect(np.any(masks, axis=0).astype(np.uint8))
+    middle, half = left + width / 2, max(width, 0.6 * height) / 2
+    margin = 0.05 * height
+    return middle - half - margin, middle + half + margin, top + height + margin, top - margin

@@ -6,22 +6,25 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from silpose.core.types import Mask
-from silpose.experiments.figures import ESTIMATED, RED, TRUE
+from silpose.experiments.figures import DOUBTFUL, ESTIMATED, NEUTRAL, headline
+from silpose.recording.figure_style import HAIRLINE, INK, styled
 from silpose.silhouette.masks import MaskSequence
 from silpose.silhouette.person import MaskFacts
 
 _COLUMNS = 8
 _LONGEST_NAME = 16
-_BACKGROUND = 0.87
+_BACKGROUND = 0.95
 
 
+@styled
 def masks_figure(
     sequence: MaskSequence, kept: Sequence[Mask], facts: MaskFacts | None, shown: int
 ) -> Figure:
-    """Draw masks evenly over a source: the person dark, what is left out red.
+    """Draw masks evenly over a source: the person dark, what is left out grey.
 
     Parameters
     ----------
@@ -38,9 +41,10 @@ def masks_figure(
     rows = -(-len(frames) // columns)
     height, width = np.median([mask.shape for mask in sequence], axis=0)
     cell = 1.35 * float(np.clip(height / width, 0.5, 2.5))
-    figure = Figure(figsize=(max(1.35 * columns, 4.0), (cell + 0.35) * rows + 0.5))
+    size = max(1.35 * columns, 6.0), (cell + 0.3) * rows + 1.0
+    figure = Figure(figsize=size, layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False)
-    figure.suptitle(sequence.encoding, fontsize=9)
+    headline(figure, f"What is seen in {len(sequence)} masks", _legend(sequence))
     states = facts.states() if facts is not None else [""] * len(sequence)
     for axes in grid.flat[len(frames) :]:
         axes.set_axis_off()
@@ -48,21 +52,21 @@ def masks_figure(
         cut = facts is not None and bool(facts.cut[frame])
         words = states[frame] or ("cut" if cut else "")
         _draw(axes, sequence[frame], kept[frame], sequence.names[frame], words)
-    figure.tight_layout(pad=0.4)
     return figure
+
+
+def _legend(sequence: MaskSequence) -> str:
+    return f"Black: the person. Grey: left out. Orange: filled in.\nRead as {sequence.encoding}"
 
 
 def _draw(axes: Axes, mask: Mask, person: Mask, name: str, words: str) -> None:
     picture = np.full((*mask.shape, 3), _BACKGROUND)
-    picture[(mask > 0) & (person == 0)] = _rgb(RED)
-    picture[(mask == 0) & (person > 0)] = _rgb(ESTIMATED)
-    picture[(mask > 0) & (person > 0)] = _rgb(TRUE)
+    picture[(mask > 0) & (person == 0)] = to_rgb(NEUTRAL)
+    picture[(mask == 0) & (person > 0)] = to_rgb(ESTIMATED)
+    picture[(mask > 0) & (person > 0)] = to_rgb(INK)
     axes.imshow(picture, interpolation="nearest")
     axes.set(xticks=[], yticks=[])
-    axes.set_title(name if len(name) <= _LONGEST_NAME else f"…{name[-_LONGEST_NAME:]}", fontsize=7)
-    axes.spines[:].set_color(RED if words else "#c8ccd0")
-    axes.set_xlabel(words, fontsize=7, color=RED, labelpad=1)
-
-
-def _rgb(colour: str) -> list[float]:
-    return [int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)]
+    short = name if len(name) <= _LONGEST_NAME else f"…{name[-_LONGEST_NAME:]}"
+    axes.set_title(short, fontsize=8, loc="center")
+    axes.spines[:].set(visible=True, color=DOUBTFUL if words else HAIRLINE)
+    axes.set_xlabel(words, fontsize=9, color=DOUBTFUL, labelpad=1)

@@ -69,7 +69,7 @@ def mixture(components: Components, *, gmr: Sequence[int] = (1, 4, 12)) -> Resul
         rows=[*chosen.rows, *reliability, *tidy(metrics)],
         figure=mixture_figure(metrics, reliability, BEST_OF, space.metrics[0]),
         recording=Recording(
-            f"test take {take.name} by {take.performer}",
+            f"Shown: {take.title}",
             partial(_record, described, ridge, chosen.mixture, camera),
         ),
         headline=-chosen.log_likelihood,

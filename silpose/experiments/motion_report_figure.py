@@ -11,17 +11,17 @@ from matplotlib.figure import Figure
 from silpose.core import skeleton
 from silpose.core.pose_space import ANGLES
 from silpose.core.types import Array
-from silpose.experiments.figures import ESTIMATED, NEUTRAL, TRUE
+from silpose.experiments.figures import NEUTRAL, SERIES, TRUE, draw_skeleton, headline, without_ink
 from silpose.motion import CapturedTake
 from silpose.recording import palette
+from silpose.recording.figure_style import DIM, HAIRLINE, styled
 
 _FRAMES = 6  # of each view
 _APART = 1.1  # metres between them
 _ARROWS = 12  # in the view from above
-_THEIRS = "#b9bec4"
-_LEFT, _RIGHT = TRUE, palette.hexed(palette.shade(palette.TRUE_ON_WHITE, "right"))
 
 
+@styled
 def motion_figure(takes: Mapping[str, CapturedTake]) -> Figure:
     """Draw poses on the skeleton (blue, the left side light) over the file's own joints (grey).
 
@@ -30,16 +30,20 @@ def motion_figure(takes: Mapping[str, CapturedTake]) -> Figure:
     takes : mapping of str to CapturedTake
         By name.
     """
-    figure = Figure(figsize=(13, 2.2 * len(takes) + 0.4), layout="constrained")
+    figure = Figure(figsize=(13, 1.9 * len(takes) + 1.2), layout="constrained")
     grid = figure.subplots(len(takes), 3, squeeze=False, width_ratios=(1.6, 1.6, 1))
     for row, (name, take) in zip(grid, takes.items(), strict=True):
         _draw_poses(row[0], take, (0, 1))
         _draw_poses(row[1], take, (2, 1))
         _draw_path(row[2], take)
-        row[0].set_title(f"{name}: {take.report.speed:.2f} m/s", fontsize=8, loc="left")
-    for axes, title in zip(grid[-1], ("from the front", "from the right", "path, facing"),
-                           strict=True):  # fmt: skip
-        axes.set_xlabel(title, fontsize=8)
+        row[0].set_title(f"{name}: {take.report.speed:.2f} m/s, from the front")
+    grid[0, 1].set_title("from the right")
+    grid[0, 2].set_title("path of the hips, from above")
+    headline(
+        figure, "What is understood of the motion: its sides, its ground, its way",
+        "Grey: the file's own joints. Blue: silpose's skeleton, left limbs light, right ones dark. "
+        "Arrows: where the person faces",
+    )  # fmt: skip
     return figure
 
 
@@ -58,16 +62,12 @@ def _draw_poses(axes: Axes, take: CapturedTake, plane: tuple[int, int]) -> None:
         for child in theirs:
             parent = _known_parent(child, theirs)
             if parent is not None:
-                axes.plot(*np.array([theirs[parent], theirs[child]]).T, color=_THEIRS, lw=4)
+                axes.plot(*np.array([theirs[parent], theirs[child]]).T, color=HAIRLINE, lw=4)
         points = ((ours[k] - middle) @ back.T)[:, list(plane)] + shift
-        for bone in ANGLES.bones:
-            side = ANGLES.joint_names[bone[1]].split("_")[0]
-            colour = {"left": _LEFT, "right": _RIGHT}.get(side, TRUE)
-            axes.plot(*points[list(bone)].T, color=colour, lw=1.3, solid_capstyle="round")
+        draw_skeleton(axes, ANGLES, points, palette.TRUE, 1.5)
     axes.axhline(0.0, color=NEUTRAL, lw=0.5)
     axes.set(aspect="equal", xlim=(-0.9, (_FRAMES - 1) * _APART + 0.9), ylim=(-0.15, 1.95))
-    axes.set(xticks=[], yticks=[])
-    axes.spines[:].set_visible(False)
+    without_ink(axes)
 
 
 def _known_parent(joint: str, known: Mapping[str, Array]) -> str | None:
@@ -86,16 +86,14 @@ def _draw_path(axes: Axes, take: CapturedTake) -> None:
     heading = np.deg2rad(take.angles[few, 0])
     axes.quiver(
         x[few], -z[few], np.sin(heading), -np.cos(heading),
-        color=ESTIMATED, angles="xy", scale=11, width=0.009,
+        color=SERIES[0], angles="xy", scale=11, width=0.009,
     )  # fmt: skip
     size = max(float(np.ptp(x)), float(np.ptp(z)), 1.0) / 2 + 0.4
     middle = (x.min() + x.max()) / 2, -(z.min() + z.max()) / 2
     axes.set(aspect="equal", xticks=[], yticks=[])
     axes.set(xlim=(middle[0] - size, middle[0] + size), ylim=(middle[1] - size, middle[1] + size))
-    axes.spines[:].set_color("#c8ccd0")
-    axes.text(
-        0.02, 0.03, f"{2 * size:.1f} m", transform=axes.transAxes, fontsize=7, color="#7d838b"
-    )
+    axes.spines[:].set(visible=True, color=HAIRLINE)
+    axes.text(0.03, 0.03, f"{2 * size:.1f} m wide", transform=axes.transAxes, color=DIM)
 
 
 def _about_vertical(degrees: float) -> Array:

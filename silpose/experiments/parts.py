@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from silpose.core.types import Metrics, Row
+from silpose.experiments.figures import SERIES, headline
 from silpose.experiments.setup import Components, prepare
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import INK, styled
 
 BODY = "body"
 
@@ -51,33 +55,42 @@ def parts(components: Components) -> Result:
         described.data.name,
         metrics,
         rows=rows,
-        figure=_figure(rows, metrics),
+        figure=_figure(rows, metrics, in_words(described.data.space.metrics[0])),
         recording=Recording("error and functions kept by body part", record),
     )
 
 
-def _figure(rows: Sequence[Row], metrics: Metrics) -> Figure:
-    figure = Figure(figsize=(10, 4.2), layout="constrained")
+@styled
+def _figure(rows: Sequence[Row], metrics: Metrics, unit: str) -> Figure:
+    figure = Figure(figsize=(12, 4.6), layout="constrained")
     errors, kept = figure.subplots(1, 2)
     for part, values in metrics.items():
         own = [row for row in rows if row["part"] == part and "nu" in row]
         log_nu = np.log([row["nu"] for row in own])
-        style = {"lw": 2.5, "color": "black"} if part == BODY else {"lw": 1.5}
-        (line,) = errors.plot(log_nu, [row["validation_error"] for row in own], label=part, **style)
+        style = _style(part)
+        label = f"{in_words(part)}: {values['functions_kept']:.0f} functions"
+        errors.plot(log_nu, [row["validation_error"] for row in own], label=label, **style)
         kept.plot(log_nu, [row["kept"] for row in own], **style)
         best = next(row for row in own if row["nu"] == values["nu"])
-        place = np.log(values["nu"]), best["validation_error"]
-        errors.plot(*place, "o", color=line.get_color())
-        errors.annotate(
-            f"{values['functions_kept']:.0f}",
-            place,
-            textcoords="offset points",
-            xytext=(0, 6),
-            fontsize=8,
-            ha="center",
-        )
-    errors.set(xlabel="log ν", ylabel="validation error")
-    errors.set_title("marked: what validation chooses, and the functions it keeps", fontsize=9)
-    errors.legend(fontsize=8)
-    kept.set(xlabel="log ν", ylabel="share of functions kept")
+        place = np.log(values["nu"])
+        errors.plot(place, best["validation_error"], "o", ms=7, color=style["color"])
+        kept.plot(place, best["kept"], "o", ms=7, color=style["color"])
+    errors.set(xlabel="log ν", ylabel=f"validation: {unit}", ylim=(0, None))
+    kept.set(xlabel="log ν", ylabel="share of functions kept", ylim=(0, 1.02))
+    figure.legend(loc="outside right center")
+    headline(
+        figure, "How sparse may each body part's regressor be?",
+        "Linear relevance vector machines; the larger ν, the sparser. Dots: chosen on validation.",
+    )  # fmt: skip
     return figure
+
+
+def _style(part: str) -> dict[str, Any]:
+    """Line of a body part: a hue for each kind of limb, the left one broken and the right solid."""
+    side, _, limb = part.rpartition("_")
+    colours = {BODY: INK, "arm": SERIES[0], "leg": SERIES[1]}
+    return {
+        "color": colours.get(limb, SERIES[2]),
+        "lw": 2.5 if part == BODY else 1.5,
+        "ls": "--" if side == "left" else "-",
+    }

@@ -7,18 +7,26 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from silpose.core.types import Array, Mask
-from silpose.experiments.figures import draw_silhouette, draw_skeleton
-from silpose.fitting import DOUBTFUL
+from silpose.core.types import Array, Indices, Mask
+from silpose.experiments.figures import (
+    DOUBTFUL,
+    ESTIMATED,
+    draw_silhouette,
+    draw_skeleton,
+    format_headings,
+    headline,
+    without_ink,
+)
+from silpose.fitting import DOUBTFUL as LEAST_CONFIDENCE
 from silpose.model import Poses, PredictionDetails, joints_in_image
 from silpose.recording import palette
+from silpose.recording.figure_style import HAIRLINE, INK, styled
 
 _COLUMNS, _ROWS = 8, 3  # at most so many masks are drawn
 _NARROW = 0.75  # width of a panel over its height
-_SURE, _DOUBTFUL = palette.hexed(palette.ESTIMATED_ON_WHITE), palette.hexed(palette.RED_ON_WHITE)
-_NEUTRAL = palette.hexed(palette.NEUTRAL_ON_WHITE)
 
 
+@styled
 def prediction_figure(details: PredictionDetails, poses: Poses) -> Figure:
     """Draw masks, evenly chosen, with their skeletons; below them the confidence of all frames.
 
@@ -27,23 +35,32 @@ def prediction_figure(details: PredictionDetails, poses: Poses) -> Figure:
     details : PredictionDetails
         The masks.
     poses : Poses
-        Their poses; the skeletons of those that are doubtful are red.
+        Their poses; the skeletons of those that are doubtful are marked.
     """
     frames = np.unique(np.linspace(0, len(poses) - 1, _COLUMNS * _ROWS).astype(int))
     rows = -(-len(frames) // _COLUMNS)
     columns = min(_COLUMNS, len(frames))
-    figure = Figure(figsize=(max(1.35 * columns, 6), 2.1 * rows + 1.9), layout="constrained")
-    grid = figure.add_gridspec(2, 1, height_ratios=[2.1 * rows, 1.6])
+    size = max(1.35 * columns, 7), 2.2 * rows + 3.6
+    figure = Figure(figsize=size, layout="constrained")
+    grid = figure.add_gridspec(2, 1, height_ratios=[2.2 * rows, 2.8])
     above, below = figure.add_subfigure(grid[0, 0]), figure.add_subfigure(grid[1, 0])
     panels = above.subplots(rows, columns, squeeze=False)
-    figure.suptitle(poses.summary(), fontsize=10)
     _draw_masks(list(panels.flat), details, poses, frames)
-    _plot_confidence(below.subplots(), poses, frames)
+    headings, confidence = below.subplots(2, sharex=True)
+    _plot_headings(headings, poses)
+    _plot_confidence(confidence, poses)
+    for axes in (headings, confidence):
+        _mark_frames(axes, poses, frames)
+    headline(
+        figure, f"Estimated poses of {poses.summary()}",
+        "Left limbs are light, right limbs dark. Below a mask: the confidence in its pose; "
+        "one of a doubtful pose is marked (?)",
+    )  # fmt: skip
     return figure
 
 
 def _draw_masks(
-    panels: list[Axes], details: PredictionDetails, poses: Poses, frames: np.ndarray
+    panels: list[Axes], details: PredictionDetails, poses: Poses, frames: Indices
 ) -> None:
     masks = [details.masks[frame] for frame in frames]
     whole = np.ones(len(frames), bool) if poses.facts is None else ~poses.facts.cut[frames]
@@ -51,16 +68,19 @@ def _draw_masks(
     for axes in panels:
         axes.set_axis_off()
     for axes, mask, frame, joints in zip(panels, masks, frames, places, strict=False):
-        colour = _DOUBTFUL if poses.doubtful[frame] else _SURE
+        axes.set_axis_on()
         draw_silhouette(axes, mask)
+        doubtful, confidence = poses.doubtful[frame], poses.confidence[frame]
         if np.isfinite(joints).all():
-            draw_skeleton(axes, poses.space, joints, colour, 1.6)
+            colour = palette.DOUBTFUL if doubtful else palette.ESTIMATED
+            draw_skeleton(axes, poses.space, joints, colour, 1.8)
         axes.set(**_window(mask))
-        confidence = poses.confidence[frame]
-        said = "" if np.isnan(confidence) else f" · {confidence:.2f}"
-        axes.set_title(f"{frame}{said}", fontsize=8, pad=2, color=colour)
-        words = "" if poses.state[frame] == "estimated" else poses.state[frame]
-        axes.text(0.5, 0.0, words, transform=axes.transAxes, ha="center", va="top", fontsize=7)
+        without_ink(axes)
+        axes.set_title(f"frame {frame}", fontsize=9, loc="center", pad=2)
+        words = [] if poses.state[frame] == "estimated" else [str(poses.state[frame])]
+        if confidence > 0:
+            words.append(f"{confidence:.2f}" + " ?" * bool(doubtful))
+        axes.set_xlabel(", ".join(words), labelpad=1, color=DOUBTFUL if doubtful else INK)
 
 
 def _window(mask: Mask) -> dict[str, tuple[float, float]]:
@@ -72,22 +92,27 @@ def _window(mask: Mask) -> dict[str, tuple[float, float]]:
     return {"xlim": (x - aside, x + aside), "ylim": (y + half, y - half)}
 
 
-def _plot_confidence(axes: Axes, poses: Poses, frames: np.ndarray) -> None:
-    """Plot heading and confidence over time."""
+def _plot_headings(axes: Axes, poses: Poses) -> None:
+    """Plot the heading over time, in another colour and shape where it is doubtful."""
     time: Array = poses.time
     doubtful = poses.doubtful
-    axes.plot(time, poses.heading, ".", color=_SURE, ms=3)
-    axes.plot(time[doubtful], poses.heading[doubtful], ".", color=_DOUBTFUL, ms=4)
-    axes.set(ylim=(-185, 185), yticks=(-180, 0, 180), xlabel="seconds")
-    axes.set_ylabel("heading, degrees", color=_SURE, fontsize=8)
-    right = axes.twinx()
-    right.plot(time, poses.confidence, color=_NEUTRAL, lw=1)
-    right.axhline(DOUBTFUL, color=_NEUTRAL, lw=0.6, ls=":")
-    right.set(ylim=(0, 1.02), yticks=(0, 0.5, 1))
-    right.set_ylabel("confidence", color=_NEUTRAL, fontsize=8)
-    for frame in frames:
-        axes.axvline(time[frame], color="black", lw=0.3, alpha=0.4)
-    axes.tick_params(labelsize=7)
-    right.tick_params(labelsize=7)
-    for own in (axes, right):
-        own.spines[["top"]].set_visible(False)
+    axes.plot(time[~doubtful], poses.heading[~doubtful], ".", color=ESTIMATED)
+    axes.plot(time[doubtful], poses.heading[doubtful], "x", color=DOUBTFUL)
+    format_headings(axes)
+
+
+def _plot_confidence(axes: Axes, poses: Poses) -> None:
+    axes.plot(poses.time, np.where(poses.confidence > 0, poses.confidence, np.nan), color=INK)
+    axes.axhline(LEAST_CONFIDENCE, color=DOUBTFUL, lw=0.8, ls=":")
+    axes.set(ylim=(0, 1.02), yticks=(0, 0.5, 1), ylabel="confidence", xlabel="seconds")
+
+
+def _mark_frames(axes: Axes, poses: Poses, frames: Indices) -> None:
+    """Mark the frames that are drawn, and shade those without a pose."""
+    time: Array = poses.time
+    half = 0.5 * float(np.median(np.diff(time))) if len(time) > 1 else 0.5
+    for start in time[~np.isfinite(poses.heading)]:
+        axes.axvspan(start - half, start + half, color=HAIRLINE, lw=0)
+    axes.plot(time[frames], np.ones(len(frames)), "|", color=INK, clip_on=False,
+              transform=axes.get_xaxis_transform())  # fmt: skip
+    axes.set_xlim(time[0] - half, time[-1] + half)

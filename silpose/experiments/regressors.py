@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import cycle
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,10 +14,12 @@ from matplotlib.figure import Figure
 from silpose.core.parameters import POSITIVE, check_values
 from silpose.core.stages import stage
 from silpose.core.types import Array, Metrics, Row
-from silpose.experiments.figures import in_words
+from silpose.experiments.figures import SERIES, headline, legend_above
 from silpose.experiments.setup import Components, prepare
 from silpose.model import DescribedDataset, compare
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 from silpose.regression import RegressionCandidates, check_methods
 
 BODY = "body"
@@ -128,40 +131,54 @@ def _row(basis: str, method: str, part: str, error: float, kept: float) -> Row:
     return {"basis": basis, "method": method, "part": part, "error": error, "kept": kept}
 
 
+@styled
 def _figure(rows: Sequence[Row], metric: str) -> Figure:
-    figure = Figure(figsize=(11, 4.2), layout="constrained")
-    by_part, by_kernel = figure.subplots(1, 2, width_ratios=[2, 1])
+    figure = Figure(figsize=(13, 4.8), layout="constrained")
+    by_part, by_kernel = figure.subplots(1, 2, width_ratios=[2.6, 1], sharey=True)
     _plot_parts(by_part, [row for row in rows if "width" not in row], metric)
     _plot_kernels(by_kernel, [row for row in rows if "width" in row])
+    headline(
+        figure, "Does the kind of regressor matter?",
+        "Left: methods on a linear basis (light) and on kernels (dark), by body part, and the "
+        "share of examples that they keep. Right: ridge regression of the body on several kernels.",
+    )  # fmt: skip
     return figure
 
 
 def _plot_parts(axes: Axes, rows: Sequence[Row], metric: str) -> None:
     groups = list(dict.fromkeys(row["part"] for row in rows))
     kinds = list(dict.fromkeys((row["method"], row["basis"]) for row in rows))
+    methods = list(dict.fromkeys(method for method, _ in kinds))
+    kinds.sort(key=lambda kind: methods.index(kind[0]))
     for k, (method, basis) in enumerate(kinds):
         own = [row for row in rows if (row["method"], row["basis"]) == (method, basis)]
-        place = np.arange(len(groups)) + (k - len(kinds) / 2 + 0.5) * 0.8 / len(kinds)
+        colour = palette.MODES[methods.index(method) % len(palette.MODES)]
+        side = "left" if basis == "linear" else "right"
         bars = axes.bar(
-            place,
+            np.arange(len(groups)) + (k - len(kinds) / 2 + 0.5) * 0.86 / len(kinds),
             [row["error"] for row in own],
-            0.8 / len(kinds),
-            label=f"{method}, {basis}: {own[0]['kept']:.0%} kept",
+            0.86 / len(kinds),
+            color=palette.hexed(palette.shade(colour, side)),
+            label=f"{in_words(str(method))}, {basis}: {own[0]['kept']:.0%}",
         )
-        axes.bar_label(bars, fmt="%.1f", fontsize=6)
-    axes.set_xticks(range(len(groups)), [in_words(str(group)) for group in groups], fontsize=8)
+        axes.bar_label(bars, fmt="%.1f", fontsize=7, padding=1)
+    axes.set_xticks(range(len(groups)), [in_words(str(group)) for group in groups])
+    axes.tick_params(axis="x", length=0)
     axes.set_ylabel(in_words(metric))
-    axes.set_ylim(0, 1.25 * max(float(str(row["error"])) for row in rows))
-    axes.legend(fontsize=7, ncols=len(kinds) // 2 or 1, loc="upper center")
+    axes.set_ylim(0, 1.05 * max(float(str(row["error"])) for row in rows))
+    legend_above(axes, columns=-(-len(kinds) // 2))
 
 
 def _plot_kernels(axes: Axes, rows: Sequence[Row]) -> None:
-    for kernel in dict.fromkeys(row["basis"] for row in rows):
+    kernels = list(dict.fromkeys(row["basis"] for row in rows))
+    for kernel, colour, marker in zip(kernels, cycle(SERIES[::-1]), cycle("os^D"), strict=False):
         own = [row for row in rows if row["basis"] == kernel]
-        axes.plot([r["width"] for r in own], [r["error"] for r in own], "o-", label=kernel)
+        places, errors = [r["width"] for r in own], [r["error"] for r in own]
+        axes.plot(places, errors, color=colour, marker=marker, label=kernel)
     widths = sorted({float(str(row["width"])) for row in rows})
     axes.set_xscale("log")
     axes.set_xticks(widths, [f"{width:g}" for width in widths])
     axes.minorticks_off()
-    axes.set(xlabel="kernel width factor", ylim=(0, None), title="kernel ridge regression")
-    axes.legend(fontsize=8)
+    axes.tick_params(labelleft=True)
+    axes.set_xlabel("factor of the kernels' width")
+    legend_above(axes)

@@ -15,9 +15,11 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.stages import stage
 from silpose.core.types import Array, Metrics
 from silpose.dataset import Dataset, Take
+from silpose.experiments.figures import headline
 from silpose.experiments.setup import Components
 from silpose.model import describe_takes, fit_descriptor
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.figure_style import styled
 
 APART = 15  # frames between two frames of similar poses, at least
 
@@ -69,7 +71,7 @@ def similarity(components: Components, *, takes: Sequence[str] = ("train_5",)) -
             {"distance": name, **values, "frames": len(take)} for name, values in metrics.items()
         ],
         figure=_figure(similar, metrics, take.name),
-        recording=Recording(f"take {take.name} by {take.performer}", record),
+        recording=Recording(f"Shown: {take.title}", record),
     )
 
 
@@ -109,16 +111,25 @@ def _nearest_pairs(descriptors: Array, poses: Array, frames: int) -> float:
     return float(rankdata(poses[apart])[nearest].mean() / apart.sum())
 
 
+@styled
 def _figure(similar: Mapping[str, Array], metrics: Metrics, take: str) -> Figure:
-    figure = Figure(figsize=(4.6 * len(similar) + 0.6, 5.2), layout="constrained")
-    for axes, (name, matrix) in zip(figure.subplots(1, len(similar)), similar.items(), strict=True):
-        picture = axes.imshow(matrix, cmap="magma", vmin=0, vmax=1)
+    figure = Figure(figsize=(4.3 * len(similar) + 0.6, 5.4), layout="constrained")
+    panels = figure.subplots(1, len(similar), sharey=True)
+    for axes, (name, matrix) in zip(panels, similar.items(), strict=True):
+        picture = axes.imshow(matrix, vmin=0, vmax=1)
         title = f"{name}\n"
         if name in metrics:
             poses, joints = (metrics[name][f"rank_correlation{of}"] for of in ("", "_joints"))
-            title += f"rank correlation with poses {poses:.2f}, with joint positions {joints:.2f}"
-        axes.set_title(title, fontsize=10)
+            title += f"rank correlation with poses {poses:.2f}, with joints {joints:.2f}"
+        axes.set_title(title, fontsize=9.5)
+        axes.spines[:].set_visible(False)
         axes.set_xlabel("frame")
-    figure.colorbar(picture, ax=axes, label="share of all pairs that are less similar", shrink=0.8)
-    figure.suptitle(f"every two frames of {take}: bright where they are similar")
+    panels[0].set_ylabel("frame")
+    figure.colorbar(
+        picture, ax=panels, label="share of all pairs that are less similar", shrink=0.8
+    )
+    headline(
+        figure, "Are silhouettes alike where poses are?",
+        f"Every two frames of the take {take}: bright where they are similar",
+    )  # fmt: skip
     return figure

@@ -61,10 +61,7 @@ def single_image(
     camera = take.camera_or(components.camera)
     of_take = {method: x[: len(take)] for method, x in estimates.items()}
     errors = {method: values[space.metrics[0]] for method, values in metrics.items()}
-    words = (
-        f"test take {take.name} by {take.performer}; RMS errors of {show}: "
-        f"{', '.join(map(_in_words, angles))}"
-    )
+    words = f"Shown: {take.title}; RMS errors of {show}: {', '.join(map(_in_words, angles))}"
     record = partial(_record, described, model, of_take, show, components.camera)
     return Result(
         described.data.name,

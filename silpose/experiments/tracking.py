@@ -10,17 +10,19 @@ from matplotlib.figure import Figure
 from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array
 from silpose.evaluation import thigh_swing
-from silpose.experiments.figures import ESTIMATED, TRUE, format_headings, in_words
+from silpose.experiments.figures import ESTIMATED, TRUE, headline, plot_headings, with_unit
 from silpose.experiments.setup import Components, fitter_of_model, prepare_tracking, tidy
 from silpose.recording import GroundTruth, Recording, Result, record_tracking
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 from silpose.tracking import GIVEN
 
 SHOWN = {
     "dynamics": "dynamics alone",
     "ridge": "observation alone",
-    "state_sensitive": "state-sensitive regression, one pose",
-    "tracker": "state-sensitive regression, a belief",
-    "tracker_lag": "a belief, fixed-lag smoothing",
+    "state_sensitive": "both, as one pose",
+    "tracker": "both, as a belief",
+    "tracker_lag": "a belief, with a lag",
 }
 
 
@@ -67,30 +69,30 @@ def tracking(components: Components) -> Result:
         metrics,
         rows=[*training.selection.rows, *tidy(metrics)],
         figure=_figure(space, take.x, first),
-        recording=Recording(f"test take {take.name} by {take.performer}", record),
+        recording=Recording(f"Shown: {take.title}", record),
         model=described.model(training.ridge, tracker, fitter),
         headline=headline,
     )
 
 
+@styled
 def _figure(space: PoseSpace, true: Array, tracks: Mapping[str, Array]) -> Figure:
     """Left thigh and heading over time: columns as in Fig. 14, and two more for the belief."""
-    figure = Figure(figsize=(17, 5.5), layout="constrained")
+    figure = Figure(figsize=(14, 5.4), layout="constrained")
     rows = figure.subplots(2, len(SHOWN), sharex=True, sharey="row")
     for (swings, headings), (method, title) in zip(rows.T, SHOWN.items(), strict=True):
         x = tracks[method]
-        swings.plot(thigh_swing(space, true), color=TRUE, lw=2)
-        swings.plot(thigh_swing(space, x), color=ESTIMATED, lw=0.9)
-        swings.set_ylim(-60, 60)
+        swings.plot(thigh_swing(space, true), color=TRUE, lw=3, alpha=0.7, label="true")
+        swings.plot(thigh_swing(space, x), color=ESTIMATED, lw=1.2, label="estimated")
+        swings.set(ylim=(-90, 90), yticks=(-90, -45, 0, 45, 90), xlim=(0, len(true) - 1))
         error = space.distance(true[GIVEN:], x[GIVEN:]).mean()
-        swings.set_title(f"{title}: {error:.2f}", fontsize=10)
-        headings.plot(space.heading(true), ".", color=TRUE, ms=4)
-        headings.plot(space.heading(x), ".", color=ESTIMATED, ms=2)
-        format_headings(headings)
+        swings.set_title(f"{title}\nerror {with_unit(error, space.metrics[0])}")
+        plot_headings(headings, space, true, x)
         headings.set(xlabel="frame", ylabel="")
     rows[0, 0].set_ylabel("left thigh, degrees")
     rows[1, 0].set_ylabel("heading, degrees")
-    figure.suptitle(
-        f"true (blue) and estimated (orange); {in_words(space.metrics[0])}", fontsize=10
+    figure.legend(*rows[0, 0].get_legend_handles_labels(), loc="outside upper right", ncols=2)
+    headline(
+        figure, "What do dynamics add to what is seen?", f"Errors: {in_words(space.metrics[0])}"
     )
     return figure

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import product
+from itertools import cycle, product
 from typing import Any
 
 import numpy as np
@@ -16,9 +16,12 @@ from silpose.core.stages import timed
 from silpose.core.types import Array, Metrics, Row
 from silpose.dataset import Renderer, SceneSampler, Take
 from silpose.evaluation import baselines
+from silpose.experiments.figures import SERIES, headline
 from silpose.experiments.setup import Components, renderer_of
 from silpose.model import DescribedDataset, describe_dataset, describe_takes
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.captions import in_words
+from silpose.recording.figure_style import styled
 from silpose.regression import Regressor, check_methods
 
 PLAIN, VARIED = "one camera", "varied bodies and cameras"
@@ -141,27 +144,31 @@ def _values(rows: Sequence[Row], **where: object) -> list[float]:
     ]
 
 
+@styled
 def _figure(rows: Sequence[Row], methods: Sequence[str]) -> Figure:
-    figure = Figure(figsize=(11, 5.2), layout="constrained")
+    figure = Figure(figsize=(12, 5.6), layout="constrained")
     styles = dict(zip(methods, ("-", "--", "-."), strict=False)) | {"oracle": ":"}
     counts = [count for (count,) in _distinct(rows, "frames")]
     for axes, test in zip(figure.subplots(1, 2, sharey=True), (PLAIN, VARIED), strict=True):
-        for k, (variety,) in enumerate(_distinct(rows, "training")):
+        for (variety,), colour in zip(_distinct(rows, "training"), cycle(SERIES), strict=False):
             for method, style in styles.items():
                 own = [
                     _values(rows, training=variety, frames=count, method=method, test=test)
                     for count in counts
                 ]
                 means = [float(np.mean(values)) for values in own]
-                label = f"{method}, {variety.replace('_', ' ')}"
-                axes.plot(counts, means, style, color=f"C{k}", marker="o", ms=4, label=label)
+                label = f"{in_words(method)}: {in_words(str(variety))}"
+                axes.plot(counts, means, style, color=colour, marker="o", label=label)
                 for count, values in zip(counts, own, strict=True):
-                    axes.plot([count] * len(values), values, "_", color=f"C{k}", ms=8)
-        axes.set(xscale="log", xlabel="training frames", title=f"unseen performers, {test}")
-        axes.set_xticks(counts, [str(count) for count in counts])
+                    axes.plot([count] * len(values), values, "_", color=colour, ms=8)
+        axes.set(xscale="log", xlabel="training frames")
+        axes.set_title(f"unseen performers, {test}")
+        axes.set_xticks(counts, [f"{count:,}" for count in counts])
         axes.minorticks_off()
         axes.grid(axis="y", alpha=0.3)
-    figure.axes[0].set_ylabel("mean angular error, degrees")
+    figure.axes[0].set_ylabel(in_words("mean_angular_error_deg"))
+    figure.axes[0].set_ylim(0, None)
     handles, labels = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=len(styles), fontsize=8)
+    figure.legend(handles, labels, loc="outside lower center", ncols=min(3, len(labels)))
+    headline(figure, "How much do more frames, bodies and cameras help on unseen performers?")
     return figure

@@ -20,12 +20,6 @@ def projected_links(parameters: Array, root: Array, geometry: Geometry, view: Vi
     """Project the links' points of the body that parameters (P,) describe, shape (L, K, 2)."""
     shaped, seen = shaped_by(parameters, geometry), seen_by(parameters, view)
     rotations, positions, _ = pose_tree(parameters[:ANGLES], shaped)
-<<<<<<< HEAD
-    turned = shaped.points @ np.swapaxes(rotations[shaped.nodes], 1, 2)
-    flat = projected(turned + positions[shaped.nodes][:, None] + root, seen)
-    for link, count in enumerate(shaped.counts):  # padding repeats a point of the link's own
-        flat[link, count:] = flat[link, 0]
-=======
     flat = np.empty((*shaped.points.shape[:2], 2))
     for link in range(len(flat)):
         node, count = shaped.nodes[link], shaped.counts[link]
@@ -33,7 +27,6 @@ def projected_links(parameters: Array, root: Array, geometry: Geometry, view: Vi
             shaped.points[link], count, rotations[node], positions[node] + root, seen, flat[link]
         )
         flat[link, count:] = flat[link, 0]  # padding repeats a point of the link's own
->>>>>>> fit
     return flat
 
 

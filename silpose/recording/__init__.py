@@ -24,15 +24,17 @@ if TYPE_CHECKING:
     from silpose.recording.influential_examples import InfluentialExamples
     from silpose.recording.motion import record_motion
     from silpose.recording.prediction import record_prediction
-    from silpose.recording.read import RecordedPoses, read_poses, read_recording
+    from silpose.recording.read import RecordedPoses, frames_of, read_poses, read_recording
     from silpose.recording.runs import (
         FinishedRun,
         Recording,
         Result,
         RunFolder,
         compare,
+        find_runs,
         load_poses,
         load_run,
+        newest_run,
         runs_table,
         serve,
         write_result,
@@ -48,6 +50,7 @@ if TYPE_CHECKING:
     from silpose.recording.tracking import record_extinction, record_tracking
     from silpose.recording.video import VideoRecorder, record_video, video_recording
     from silpose.recording.viewer import film, open_recording, picture, repair, show
+    from silpose.recording.watched_take import watch
 
 _EXPORTS = {
     "codebook": ("codebook_picture",),
@@ -55,15 +58,17 @@ _EXPORTS = {
     "ground_truth": ("GroundTruth",),
     "header": ("Header",),
     "influential_examples": ("InfluentialExamples",),
-    "read": ("RecordedPoses", "read_poses", "read_recording"),
+    "read": ("RecordedPoses", "frames_of", "read_poses", "read_recording"),
     "runs": (
         "FinishedRun",
         "Recording",
         "Result",
         "RunFolder",
         "compare",
+        "find_runs",
         "load_poses",
         "load_run",
+        "newest_run",
         "runs_table",
         "serve",
         "write_result",
@@ -71,6 +76,7 @@ _EXPORTS = {
     "sinks": ("Sinks",),
     "video": ("VideoRecorder", "video_recording"),
     "viewer": ("film", "open_recording", "picture", "repair", "show"),
+    "watched_take": ("watch",),
 }
 _RECORDERS = {
     "record_bridges": "study",
@@ -122,10 +128,13 @@ __all__ = [
     "codebook_picture",
     "compare",
     "film",
+    "find_runs",
+    "frames_of",
     "gait_page",
     "gait_rows",
     "load_poses",
     "load_run",
+    "newest_run",
     "open_recording",
     "picture",
     "read_poses",
@@ -148,6 +157,7 @@ __all__ = [
     "serve",
     "show",
     "video_recording",
+    "watch",
     "write_gait",
     "write_result",
 ]

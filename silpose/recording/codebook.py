@@ -28,7 +28,7 @@ def centre_colours(count: int) -> NDArray[np.uint8]:
 
 
 def codebook_picture(codebook: NDArray[np.floating], angular_bins: int) -> NDArray[np.uint8]:
-    """Draw all centres, row after row, each in its colour: bright where the contour lies.
+    """Draw all centres, row after row, each in its colour: opaque where the contour lies.
 
     Parameters
     ----------
@@ -37,8 +37,9 @@ def codebook_picture(codebook: NDArray[np.floating], angular_bins: int) -> NDArr
 
     Returns
     -------
-    picture : ndarray, shape (H, W, 3)
-        Rings are equally wide, as in a log-polar plot; right is right and down is down.
+    picture : ndarray of uint8, shape (H, W, 4)
+        Red, green, blue and opacity. Rings are equally wide, as in a log-polar plot; right is
+        right and down is down.
     """
     y, x = np.mgrid[:_TILE, :_TILE] - (_TILE - 1) / 2
     ring = np.floor(np.hypot(x, y) / _REACH * (codebook.shape[1] // angular_bins)).astype(int)
@@ -48,10 +49,10 @@ def codebook_picture(codebook: NDArray[np.floating], angular_bins: int) -> NDArr
     places = np.where(inside, ring * angular_bins + sector, 0)
     columns = columns_of(len(codebook))
     rows = int(np.ceil(len(codebook) / columns))
-    picture = np.full((rows * _TILE, columns * _TILE, 3), palette.BACKGROUND, float)
+    picture = np.zeros((rows * _TILE, columns * _TILE, 4))
     for k, (centre, colour) in enumerate(zip(codebook, centre_colours(len(codebook)), strict=True)):
         light = (centre / max(float(centre.max()), 1e-9))[places]
-        tile = (0.14 + 0.86 * light[..., None]) * colour.astype(float)
+        tile = np.dstack([np.broadcast_to(colour, (*light.shape, 3)), 255 * (0.14 + 0.86 * light)])
         top, left = _TILE * np.array(divmod(k, columns))
         picture[top : top + _TILE, left : left + _TILE][inside] = tile[inside]
     return picture.astype(np.uint8)
@@ -75,6 +76,6 @@ def log_codebook(
         entity_paths.VOTES,
         strips.reshape(-1, 2, 2).astype(np.float32),
         [count] * len(z),
-        (255, 255, 255),
+        palette.NEUTRAL,
         2.0,
     )

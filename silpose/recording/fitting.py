@@ -15,17 +15,19 @@ from silpose.dataset import Take
 from silpose.fitting import Trace, contour_of, overlap_classes
 from silpose.recording import entity_paths, palette
 from silpose.recording.fitted_body import log_fitted_body
-from silpose.recording.frame_logger import FrameLogger, IterationLogger
+from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.ground_truth import GroundTruth, log_true_pose
 from silpose.recording.header import Header
+from silpose.recording.iteration_logger import IterationLogger
 from silpose.recording.layout import Window, fitting_layout
+from silpose.recording.overlay import log_overlay
 from silpose.recording.stream import recording_stream
 
 _BEFORE = palette.METHODS["ridge"]
 _APART = 0.9  # metres between the pose before, that after, and the body
 _FINE = 0.5  # pixels by which a drawn outline may be off
 _CLASSES = [
-    (0, "background", palette.BACKGROUND),
+    (0, "background", palette.CLEAR),
     (1, "mask and body", palette.MASK),
     (2, "mask only", palette.TRUE),
     (3, "body only", palette.ESTIMATED),
@@ -74,6 +76,7 @@ def record_fitting(
     with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(take), rate)
         _log_overlap(logger, masks, silhouettes["before"], silhouettes["after"])
+        log_overlay(logger, after, masks, space, entity=entity_paths.FITTED_OVERLAY)
         height = truth.root * (0, 1, 0)
         left, right = height - np.array([_APART, 0, 0]), height
         _log_skeletons(
@@ -91,7 +94,7 @@ def record_fitting(
             (entity_paths.ESTIMATED_HEADING, before, "before", _BEFORE),
             (entity_paths.FITTED_HEADING, after, "after", palette.ESTIMATED),
         ):
-            logger.series(entity, space.heading(x), name, colour)
+            logger.headings(entity, space.heading(x), name, colour)
         for method, values in iou.items():
             entity = entity_paths.below(entity_paths.OVERLAP_SHARES, method)
             colour = palette.METHODS.get(method, palette.NEUTRAL)

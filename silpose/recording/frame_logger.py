@@ -75,10 +75,24 @@ class FrameLogger:
         self.static(entity, rr.SeriesLines(colors=colour, names=name, widths=width))
         self.columns(entity, rr.Scalars.columns(scalars=values))
 
+    def headings(
+        self, entity: str, degrees: Array, name: str, colour: palette.Colour, width: float = 1.5
+    ) -> None:
+        """Log angles ``(F,)`` like numbers, with a gap where they turn past 180 degrees."""
+        self.static(entity, rr.SeriesLines(colors=colour, names=name, widths=width))
+        wraps = 1 + np.flatnonzero(np.abs(np.diff(degrees)) > 180)
+        frames = np.insert(np.arange(self._frames), wraps, wraps)
+        values = np.insert(degrees, wraps, np.nan)
+        index = [
+            rr.TimeColumn("frame", sequence=frames),
+            rr.TimeColumn("time", duration=self._times[frames]),
+        ]
+        self._recording.send_columns(entity, index, rr.Scalars.columns(scalars=values))
+
     def errors(self, by_method: Mapping[str, Array]) -> None:
         """Log each method's distance of true and estimated poses, ``(F,)``."""
         for k, (method, values) in enumerate(by_method.items()):
-            colour = palette.METHODS.get(method) or palette.hue(k, len(by_method))
+            colour = palette.of_method(method, k, len(by_method))
             self.series(entity_paths.below(entity_paths.ERROR, method), values, method, colour, 1.0)
 
     def bars(
@@ -133,22 +147,33 @@ class FrameLogger:
         ``joints (F, J, 2)`` are pixels in the image, and the radius points of the screen.
         """
         flat = joints.shape[2] == 2
-        kind = rr.LineStrips2D if flat else rr.LineStrips3D
-        ends = joints[:, np.asarray(bones)]
-        strips = ends.reshape(-1, 2, joints.shape[2]).astype(np.float32)
-        radii = rr.Radius.ui_points(radius) if flat else radius
-        each = [shade for own in _listed(colour) for shade in palette.shades(own, bones, names)]
-        if isinstance(colour, tuple):
-            self.static(entity, kind.from_fields(colors=each, radii=radii))
-            columns = kind.columns(strips=strips)
-        else:
-            self.static(entity, kind.from_fields(radii=radii))
-            columns = kind.columns(strips=strips, colors=each)
-        self.columns(entity, columns, [len(bones)] * self._frames)
+        lines, points = (rr.LineStrips2D, rr.Points2D) if flat else (rr.LineStrips3D, rr.Points3D)
+        size: Any = rr.Radius.ui_points(radius) if flat else radius
+        each = [colour] if isinstance(colour, tuple) else colour
+        self.static(entity, _named_joints(names, bones, each[0]))
+        ids = np.arange(len(names))
+        self.static(entity, points.from_fields(class_ids=0, keypoint_ids=ids, show_labels=False))
+        places = joints.astype(np.float32)
+        ends = places[:, np.asarray(bones)].reshape(-1, 2, joints.shape[2])
+        parts: tuple[tuple[Any, dict[str, Any], Sequence[str]], ...] = (
+            (lines, {"strips": ends}, [names[child] for _, child in bones]),
+            (points, {"positions": places.reshape(-1, joints.shape[2])}, names),
+        )
+        for kind, drawn, owners in parts:
+            sides = [name.split("_")[0] for name in owners]
+            shades = [palette.shade(own, side) for own in each for side in sides]
+            if isinstance(colour, tuple):
+                self.static(entity, kind.from_fields(colors=shades, radii=size))
+            else:
+                self.static(entity, kind.from_fields(radii=size))
+                drawn["colors"] = shades
+            self.columns(entity, kind.columns(**drawn), [len(owners)] * self._frames)
 
     def image(self, entity: str, image: NDArray[np.uint8]) -> None:
-        """Log an image (H, W, 3) that stays."""
-        self.static(entity, rr.Image(image))
+        """Log an image (H, W, 3), or (H, W, 4) with opacity, that stays."""
+        # The viewer heeds an image's own opacity only where all of it is less than opaque.
+        opacity = 0.99 if image.shape[2] == 4 else None
+        self.static(entity, rr.Image(image, opacity=opacity))
 
     def points(
         self,
@@ -205,22 +230,12 @@ class FrameLogger:
         self.columns(entity, rr.Points2D.columns(labels=labels), [len(places)] * self._frames)
 
 
-def _listed(colour: palette.Colour | Sequence[palette.Colour]) -> Sequence[palette.Colour]:
-    return [colour] if isinstance(colour, tuple) else colour
-
-
-class IterationLogger(FrameLogger):
-    """Logs what belongs to the iterations of an optimisation, on a timeline of their own.
-
-    Parameters
-    ----------
-    recording : rerun.RecordingStream
-    iterations : int
-    """
-
-    def __init__(self, recording: rr.RecordingStream, iterations: int) -> None:
-        super().__init__(recording, iterations, 1.0)
-        self._index = [rr.TimeColumn("iteration", sequence=range(iterations))]
-
-    def _set_time(self, frame: int) -> None:
-        self._recording.set_time("iteration", sequence=frame)
+def _named_joints(
+    names: Sequence[str], bones: Sequence[tuple[int, int]], colour: palette.Colour
+) -> rr.AnnotationContext:
+    """Names of joints, which the viewer shows where one points, and what they connect to."""
+    info = rr.AnnotationInfo(0, "skeleton", colour)
+    joints = list(enumerate(names))
+    return rr.AnnotationContext(
+        rr.ClassDescription(info=info, keypoint_annotations=joints, keypoint_connections=bones)
+    )

@@ -16,17 +16,14 @@ from silpose.core.atomic_files import writing
 from silpose.core.csv_text import csv_text
 from silpose.evaluation.gait import MOVES, PERCENT, GaitReport
 from silpose.recording import palette
+from silpose.recording.figure_style import DIM, INK, styled
 
 TITLES = (
     "name", "side", "percent", "value", "deviation", "unit", "strides", "confidence", "frames",
     "reason",
 )  # fmt: skip
 
-_INK = "#010203"  # in a figure, of what takes the page's colour of text
-_SIDES = {
-    "left": palette.hexed(palette.TRUE_ON_WHITE),
-    "right": palette.hexed(palette.ESTIMATED_ON_WHITE),
-}
+_SIDES = {side: palette.hexed(palette.shade(palette.ESTIMATED, side)) for side in ("left", "right")}
 _STYLE = """
 :root { color-scheme: light dark; --dim: #666; --line: #ccc; }
 @media (prefers-color-scheme: dark) { :root { --dim: #999; --line: #444; } }
@@ -157,14 +154,15 @@ def _table(report: GaitReport) -> str:
     return f"<table><tr>{head}</tr>{''.join(rows)}</table>{missing}"
 
 
+@styled
 def _figure(report: GaitReport) -> Figure:
     figure = Figure(figsize=(11, 5.6), layout="constrained")
     grid = figure.add_gridspec(2, len(MOVES), height_ratios=(3, 1))
     for k, joint in enumerate(MOVES):
         axes = figure.add_subplot(grid[0, k])
         _draw_angle(axes, report, joint)
-    if report.curves:
-        axes.legend(frameon=False, fontsize=8)
+    handles, labels = axes.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper right", ncols=2)
     _draw_stances(figure.add_subplot(grid[1, :]), report)
     return figure
 
@@ -182,7 +180,7 @@ def _draw_angle(axes: Axes, report: GaitReport, joint: str) -> None:
         stance = report["stance", curve.side].value
         if np.isfinite(stance):
             axes.axvline(stance, color=colour, ls=dashes, lw=0.8)
-    axes.axhline(0.0, color=_INK, lw=0.5)
+    axes.axhline(0.0, color=INK, lw=0.5)
     axes.set(xlim=(0, 100), xlabel="gait cycle, %", title=joint)
     axes.set_ylabel(f"{negative} (-), {positive} (+), degrees")
 
@@ -204,20 +202,9 @@ def _draw_stances(axes: Axes, report: GaitReport) -> None:
 def _svg(figure: Figure) -> str:
     """Figure as an element of the page, whose axes and text have the page's colour."""
     text = io.StringIO()
-    for axes in figure.axes:
-        _recolour(axes)
     with rc_context({"svg.fonttype": "none", "svg.hashsalt": "gait"}):
         figure.savefig(text, format="svg", transparent=True, metadata={"Date": None})
     svg = text.getvalue()
-    return svg[svg.index("<svg") :].replace(_INK, "currentColor")
-
-
-def _recolour(axes: Axes) -> None:
-    axes.spines[:].set_color(_INK)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.tick_params(colors=_INK)
-    for label in (axes.title, axes.xaxis.label, axes.yaxis.label):
-        label.set_color(_INK)
-    legend = axes.get_legend()
-    for word in legend.get_texts() if legend else ():
-        word.set_color(_INK)
+    for colour in (INK, DIM):
+        svg = svg.replace(colour, "currentColor")
+    return svg[svg.index("<svg") :]

@@ -82,4 +82,4 @@ def log_true_pose(logger: FrameLogger, truth: GroundTruth, space: PoseSpace) -> 
     """Log the true pose vectors and the true heading."""
     logger.poses(entity_paths.TRUE_POSE, truth.poses, space)
     headings = space.heading(truth.poses)
-    logger.series(entity_paths.TRUE_HEADING, headings, "true", palette.TRUE)
+    logger.headings(entity_paths.TRUE_HEADING, headings, "true", palette.TRUE)

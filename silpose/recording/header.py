@@ -16,6 +16,7 @@ import yaml
 
 from silpose.recording import entity_paths
 from silpose.recording.named_settings import flat, typed
+from silpose.recording.runs.setting_differences import differing
 from silpose.recording.sinks import Sinks
 
 if TYPE_CHECKING:
@@ -35,6 +36,8 @@ class Header:
         What is recorded, as markdown.
     settings : str, default=""
         Settings of the run as YAML; empty where there are none.
+    defaults : str, default=""
+        What they would be had nobody chosen any, as YAML; only those that differ are shown.
     results : mapping, default={}
         Values by method, then by name.
     sinks : Sinks or None, default=None
@@ -51,6 +54,7 @@ class Header:
     results: Results = field(default_factory=dict)
     sinks: Sinks | None = None
     figure: Path | None = None
+    defaults: str = ""
 
     @property
     def name(self) -> str:
@@ -70,8 +74,7 @@ class Header:
             entity_paths.METRICS: "\n\n".join([self.words, *results]),
         }
         if self.settings:
-            shown = yaml.safe_dump(self._choices(), sort_keys=False, allow_unicode=True)
-            texts[entity_paths.SETTINGS] = f"```yaml\n{shown}```\n"
+            texts[entity_paths.SETTINGS] = self._settings_in_words()
         return texts
 
     def properties(self) -> dict[str, dict[str, Any]]:
@@ -89,6 +92,15 @@ class Header:
         }
         return {group: values for group, values in groups.items() if values}
 
+    def _settings_in_words(self) -> str:
+        """List the settings that differ from the defaults, as one would type them."""
+        both = [self._choices(), yaml.safe_load(self.defaults) or {}]
+        chosen = {name: value for name, value in differing(both)[0].items() if value is not None}
+        if not chosen:
+            return "All settings have their defaults."
+        typed_ = "\n".join(f"{name}={typed(value)}" for name, value in chosen.items())
+        return f"Settings that differ from the defaults:\n\n```\n{typed_}\n```\n"
+
     def _choices(self) -> dict[str, Any]:
         """All settings but where the recording goes: those that determine the results."""
         choices = yaml.safe_load(self.settings) or {}
@@ -96,10 +108,13 @@ class Header:
 
 
 def results_table(results: Results) -> str:
-    """Headlines as a markdown table, a row per method."""
-    from silpose.evaluation import headlines  # loads scikit-learn, which tools can do without
+    """Headlines as a markdown table, a row per method, the best first and in bold."""
+    from silpose.evaluation import best_first, headlines  # loads scikit-learn, which tools do not
 
-    titles, rows = headlines(results)
+    ordered, best = best_first(results)
+    titles, rows = headlines(ordered)
+    if best is not None:
+        rows[0] = [f"**{cell}**" if cell else "" for cell in rows[0]]
     ruler = ":--|" + "--:|" * (len(titles) - 1)
     table = [" | ".join(titles), ruler.strip("|"), *(" | ".join(row) for row in rows)]
     return "\n".join(f"| {line} |" for line in table)

@@ -1,4 +1,4 @@
-"""Recordings of several estimates per silhouette: the more probable, the brighter."""
+"""Recordings of several estimates per silhouette: the less probable, the thinner and greyer."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.ground_truth import GroundTruth, log_true_pose, log_true_skeleton
 from silpose.recording.header import Header
 from silpose.recording.layout import hypotheses_layout, modes_layout
+from silpose.recording.overlay import log_overlay
 from silpose.recording.silhouette import log_masks_alone
 from silpose.recording.stream import recording_stream
 from silpose.tracking import Track
@@ -47,6 +48,8 @@ def record_modes(
         logger = FrameLogger(recording, len(take), rate)
         _log_known(logger, take, truth, space)
         _log_modes(logger, entity_paths.MODES, (weights, means), truth.root, space)
+        if take.has_masks:
+            log_overlay(logger, means[:, 0], take.mask_array(), space, palette.MODES[0])
 
 
 def record_hypotheses(
@@ -80,10 +83,12 @@ def record_hypotheses(
         _log_modes(logger, entity_paths.MODES, modes, truth.root, space)
         own = track.weights, track.means
         _log_modes(logger, entity_paths.HYPOTHESES, own, truth.root, space)
+        if take.has_masks:
+            log_overlay(logger, track.x, take.mask_array(), space)
         entity = entity_paths.below(entity_paths.TRACKS, "hypotheses")
         logger.poses(f"{entity}/pose", track.x, space)
         headings = space.heading(track.x)
-        logger.series(f"{entity}/heading", headings, "tracker", palette.ESTIMATED, 2.0)
+        logger.headings(f"{entity}/heading", headings, "tracker", palette.ESTIMATED, 2.0)
         logger.states(entity_paths.STATE, track.state, palette.STATES)
 
 
@@ -103,11 +108,11 @@ def _log_modes(
     weights, means = modes
     count = weights.shape[1]
     for k in range(count):
-        entity, name, colour = f"{root}/{k + 1}", f"mode {k + 1}", palette.hue(k, count)
+        entity, name, colour = f"{root}/{k + 1}", f"mode {k + 1}", palette.one_of(k, count)
         logger.poses(f"{entity}/pose", means[:, k], space)
         logger.series(f"{entity}/weight", weights[:, k], name, colour)
         heading = np.where(weights[:, k] >= _LEAST, space.heading(means[:, k]), np.nan)
-        logger.series(f"{entity}/heading", heading, name, colour, 1.0)
+        logger.headings(f"{entity}/heading", heading, name, colour, 1.0)
         joints = space.joints(means[:, k]) + place[:, None]
         _log_faded(logger, f"{entity}/skeleton", joints, weights[:, k], space, colour)
 
@@ -120,14 +125,14 @@ def _log_faded(
     space: PoseSpace,
     colour: palette.Colour,
 ) -> None:
-    """Log a skeleton that fades into the background, and thins, with its weight."""
+    """Log a skeleton that turns grey, and thins, as its weight sinks."""
     bones = np.asarray(space.bones)
     drawn = np.flatnonzero(weights >= _LEAST)
     lengths = [len(bones) if weight >= _LEAST else 0 for weight in weights]
     strength = np.cbrt(weights[drawn])[:, None]  # one half as probable is still to be seen
     sides = [space.joint_names[child].split("_")[0] for _, child in bones]
     shades = np.array([palette.shade(colour, side) for side in sides])
-    faded = strength[..., None] * shades + (1 - strength[..., None]) * np.array(palette.BACKGROUND)
+    faded = strength[..., None] * shades + (1 - strength[..., None]) * np.array(palette.NEUTRAL)
     logger.columns(
         entity,
         rr.LineStrips3D.columns(

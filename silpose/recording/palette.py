@@ -1,6 +1,8 @@
-"""Colours of recordings and figures: one hue per kind of thing.
+"""Colours of recordings, figures, pages and notebooks: one hue per kind of thing.
 
-The left side of a body is light and its right side dark.
+All are of the palette of Okabe and Ito (https://jfly.uni-koeln.de/color/), which people with any
+colour blindness tell apart, and all can be seen on white as well as on the dark of the viewer. The
+sides of a body differ in lightness alone: its left is light and its right dark.
 """
 
 from __future__ import annotations
@@ -11,60 +13,71 @@ from collections.abc import Collection, Mapping, Sequence
 Colour = tuple[int, int, int]
 """Red, green and blue, each from 0 to 255."""
 
-TRUE: Colour = (80, 190, 255)
-ESTIMATED: Colour = (255, 150, 50)
-DOUBTFUL: Colour = (220, 70, 60)
-NEUTRAL: Colour = (150, 150, 160)
-MASK: Colour = (70, 74, 84)
-BACKGROUND: Colour = (18, 19, 22)
-EDGE: Colour = (255, 225, 90)
+TRUE: Colour = (0, 114, 178)
+"""Blue: what is true."""
 
-# Figures have a white background, on which the colours of a recording are too pale.
-TRUE_ON_WHITE: Colour = (47, 143, 208)
-ESTIMATED_ON_WHITE: Colour = (232, 121, 43)
-NEUTRAL_ON_WHITE: Colour = (154, 160, 166)
-GREEN_ON_WHITE: Colour = (76, 154, 95)
-RED_ON_WHITE: Colour = (192, 57, 43)
-PURPLE_ON_WHITE: Colour = (154, 108, 192)
+ESTIMATED: Colour = (213, 94, 0)
+"""Vermilion: the estimate that a recording or figure is about."""
+
+MODES: tuple[Colour, ...] = ((0, 158, 115), (204, 121, 167), (230, 159, 0), (86, 180, 233))
+"""Green, purple, orange and sky: modes, and whatever else is neither true nor estimated."""
+
+NEUTRAL: Colour = (130, 132, 140)
+"""Grey: what is only to be compared with."""
+
+DOUBTFUL: Colour = MODES[1]
+"""Purple: an estimate that had better not be relied on."""
+
+NAMES: Mapping[Colour, str] = dict(
+    zip(
+        (TRUE, ESTIMATED, *MODES, NEUTRAL),
+        ("blue", "vermilion", "green", "purple", "orange", "sky", "grey"),
+        strict=True,
+    )
+)
+"""Words for these colours, for titles."""
+
+MASK: Colour = (84, 88, 98)
+EDGE: Colour = MODES[2]
+CLEAR = (0, 0, 0, 0)
+"""Where nobody is: the background of the viewer, light or dark."""
 
 METHODS: Mapping[str, Colour] = {
-    "mean_pose": (110, 110, 120),
-    "nearest": (120, 200, 120),
-    "knn": (70, 150, 90),
-    "oracle": (90, 110, 200),
-    "ridge": (200, 120, 220),
-    "dynamics": (120, 200, 120),
-    "state_sensitive": (225, 205, 90),
+    "mean_pose": NEUTRAL,
+    "nearest": MODES[0],
+    "knn": MODES[3],
+    "oracle": MODES[2],
+    "ridge": MODES[1],
+    "dynamics": MODES[0],
+    "state_sensitive": MODES[2],
     "tracker": ESTIMATED,
-    "tracker_lag": (255, 200, 150),
-    "mixture_top1": (200, 120, 220),
+    "tracker_lag": MODES[3],
+    "mixture_top1": MODES[0],
     "hypotheses": ESTIMATED,
-    "fitted": (255, 200, 150),
-    "fitted_live": (225, 205, 90),
+    "fitted": MODES[2],
+    "fitted_live": MODES[0],
     "fitted_take": ESTIMATED,
-    "fitted_take_estimated": (230, 110, 110),
-    "fitted_from_mean_pose": (110, 110, 120),
-    "fitted_from_tracker": (150, 210, 150),
+    "fitted_take_estimated": MODES[3],
+    "fitted_from_mean_pose": NEUTRAL,
+    "fitted_from_tracker": MODES[0],
 }
 
 STATES: Mapping[str, Colour] = {
-    "starting": (90, 110, 200),
-    "tracking": (70, 150, 90),
-    "lost": (220, 70, 60),
-    "recovered": (225, 205, 90),
+    "starting": NEUTRAL,
+    "tracking": MODES[0],
+    "lost": DOUBTFUL,
+    "recovered": MODES[2],
 }
 
-FIT_STATES: Mapping[str, Colour] = {
-    "fitted": (70, 150, 90),
-    "poor": (220, 70, 60),
-    "blank": (110, 110, 120),
-}
+FIT_STATES: Mapping[str, Colour] = {"fitted": MODES[0], "poor": DOUBTFUL, "blank": NEUTRAL}
+
+SEEN: Mapping[str, Colour] = {"person": MODES[0], "blank": NEUTRAL}
 
 ESTIMATE_STATES: Mapping[str, Colour] = {
-    "estimated": (70, 150, 90),
-    "blank": (110, 110, 120),
-    "fragment": (140, 110, 160),
-    "filled": (90, 110, 200),
+    "estimated": MODES[0],
+    "blank": NEUTRAL,
+    "fragment": DOUBTFUL,
+    "filled": MODES[2],
 }
 
 MASK_STATES: Mapping[str, Colour] = {
@@ -87,20 +100,29 @@ def states(found: Collection[str]) -> Mapping[str, Colour]:
     )
 
 
+def one_of(k: int, count: int) -> Colour:
+    """Colour of the k-th of several things: of `MODES`, and of `hue` where there are more."""
+    return MODES[k] if count <= len(MODES) else hue(k, count)
+
+
+def of_method(method: str, k: int, count: int) -> Colour:
+    """Colour of a method, the k-th of several; that of its name where it has one."""
+    return METHODS.get(method) or one_of(k, count)
+
+
 def hue(k: int, count: int) -> Colour:
-    """Colour of the k-th of several things, around the colour wheel."""
-    red, green, blue = colorsys.hsv_to_rgb(k / max(count, 1), 0.55, 0.95)
+    """Colour of the k-th of many things whose neighbours are alike, around the colour wheel."""
+    red, green, blue = colorsys.hsv_to_rgb(k / max(count, 1), 0.7, 0.85)
     return int(255 * red), int(255 * green), int(255 * blue)
 
 
 def shade(colour: Colour, side: str) -> Colour:
     """Colour of a bone: light on the person's left, dark on the right, unchanged in the middle."""
+    red, green, blue = colour
     if side == "left":
-        red, green, blue = (min(255, int(c + 0.55 * (255 - c))) for c in colour)
+        red, green, blue = (int(c + 0.3 * (255 - c)) for c in colour)
     elif side == "right":
-        red, green, blue = (int(0.6 * c) for c in colour)
-    else:
-        red, green, blue = colour
+        red, green, blue = (int(0.75 * c) for c in colour)
     return red, green, blue
 
 

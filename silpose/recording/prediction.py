@@ -9,6 +9,7 @@ import numpy as np
 from silpose.recording import entity_paths, palette
 from silpose.recording.header import Header
 from silpose.recording.layout import prediction_layout
+from silpose.recording.overlay import log_overlay
 from silpose.recording.silhouette import log_image_size
 from silpose.recording.single_image import log_details, log_estimate, window_of
 from silpose.recording.stream import recording_stream
@@ -31,8 +32,6 @@ def record_prediction(
     poses : Poses
         The answer for these masks; doubtful poses are drawn in another colour.
     """
-    from silpose.model import joints_in_image  # loads the whole library
-
     window = window_of(details.masks) or (0.0, 1.0, 0.0, 1.0)
     rate, space = poses.frames_per_second, model.space
     rate = model.frames_per_second if np.isnan(rate) else rate
@@ -48,10 +47,7 @@ def record_prediction(
         colours = [palette.DOUBTFUL if own else palette.ESTIMATED for own in poses.doubtful]
         log_estimate(logger, space, poses.x, root, colours)
         whole = np.ones(len(poses), bool) if poses.facts is None else ~poses.facts.cut
-        places = joints_in_image(poses.joints, details.masks, whole)
-        logger.skeleton(
-            entity_paths.OVERLAID_SKELETON, places, space.bones, space.joint_names, colours, 1.5
-        )
+        log_overlay(logger, poses.x, details.masks, space, colours, whole=whole)
         logger.states(entity_paths.STATE, poses.state, palette.states(poses.state))
         if judged:
             logger.series(entity_paths.CONFIDENCE, poses.confidence, "confidence", palette.NEUTRAL)

@@ -41,13 +41,17 @@ def log_image_size(logger: FrameLogger, width: int, height: int) -> None:
 
 def log_masks(logger: FrameLogger, masks: Masks) -> None:
     """Log the mask of each frame."""
-    classes = [(0, "background", palette.BACKGROUND), (1, "person", palette.MASK)]
+    classes = [(0, "background", palette.CLEAR), (1, "person", palette.MASK)]
     logger.static(entity_paths.MASK, rr.AnnotationContext(classes))
     logger.each(entity_paths.MASK, (rr.SegmentationImage(mask) for mask in masks))
 
 
 def log_masks_alone(logger: FrameLogger, masks: Masks) -> None:
-    """Log the mask of each frame, all of one size, where no camera is logged."""
+    """Log the mask of each frame, all of one size, and who is in it, where no camera is logged."""
     height, width = masks[0].shape
     log_image_size(logger, width, height)
+    box = rr.Boxes2D(mins=[0, 0], sizes=[width, height], colors=palette.NEUTRAL)
+    logger.static(entity_paths.FRAME, box)
     log_masks(logger, masks)
+    seen = ["person" if mask.any() else "blank" for mask in masks]
+    logger.states(entity_paths.SEEN, seen, palette.SEEN)

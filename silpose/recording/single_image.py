@@ -18,6 +18,7 @@ from silpose.recording.ground_truth import GroundTruth, log_true_pose, log_true_
 from silpose.recording.header import Header
 from silpose.recording.influential_examples import InfluentialExamples, log_influential_examples
 from silpose.recording.layout import Window, single_image_layout
+from silpose.recording.overlay import log_overlay
 from silpose.recording.silhouette import log_camera, log_masks
 from silpose.recording.stream import recording_stream
 
@@ -58,6 +59,8 @@ def record_single_image(
         if examples is not None:
             log_influential_examples(logger, examples, space)
         log_estimate(logger, space, details.x, truth.root)
+        if details.masks:
+            log_overlay(logger, details.x, details.masks, space)
         log_true_skeleton(logger, truth, space, radius=0.016)
         log_true_pose(logger, truth, space)
         for method, errors in truth.errors.items():
@@ -124,7 +127,9 @@ def log_estimate(
         radius=0.011,
     )
     logger.poses(entity_paths.ESTIMATED_POSE, x, space)
-    logger.series(entity_paths.ESTIMATED_HEADING, space.heading(x), "estimated", palette.ESTIMATED)
+    logger.headings(
+        entity_paths.ESTIMATED_HEADING, space.heading(x), "estimated", palette.ESTIMATED
+    )
     logger.series(
         entity_paths.HEADING_NORM, space.heading_norm(x), "norm of (cos, sin)", palette.ESTIMATED
     )

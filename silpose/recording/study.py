@@ -16,6 +16,7 @@ from silpose.recording.codebook import centre_colours, log_codebook
 from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.header import Header
 from silpose.recording.layout import (
+    Window,
     bridges_layout,
     context_space_layout,
     features_layout,
@@ -56,7 +57,7 @@ def record_study(
             log_masks_alone(logger, masks)
         for k, (name, errors) in enumerate(series.items()):
             entity = entity_paths.below(entity_paths.ERROR, name)
-            logger.series(entity, errors, name, palette.hue(k, len(series)), 1.5)
+            logger.series(entity, errors, name, palette.one_of(k, len(series)), 1.5)
 
 
 def record_bridges(header: Header, norms: Array, objective: Array) -> None:
@@ -106,7 +107,7 @@ def record_features(
         for part, own in marked.items():
             chosen = [p[m] for p, m in zip(points, own, strict=True)]
             entity = entity_paths.below(entity_paths.RETAINED_POINTS, part)
-            logger.points(entity, chosen, 1.8, palette.ESTIMATED)
+            logger.points(entity, chosen, 3.0, palette.EDGE)
 
 
 def record_context_space(
@@ -133,10 +134,12 @@ def record_context_space(
     """
     colours = centre_colours(len(codebook))
     nearest = [description.nearest for description in descriptions]
-    with recording_stream(header, context_space_layout(frames_per_second)) as recording:
+    everywhere = _SCALE * np.concatenate([space.contexts, space.centres, *space.points])
+    layout = context_space_layout(frames_per_second, _window_around(everywhere))
+    with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(masks), frames_per_second)
         for entity, points, colour, radius in (
-            (entity_paths.CONTEXT_SPACE_TRAINING, space.contexts, palette.MASK, 0.7),
+            (entity_paths.CONTEXT_SPACE_TRAINING, space.contexts, palette.NEUTRAL, 0.7),
             (entity_paths.CONTEXT_SPACE_CENTRES, space.centres, colours, 4.0),
         ):
             size = rr.Radius.ui_points(radius)
@@ -150,3 +153,10 @@ def record_context_space(
         shares = 100 * z / z.sum(axis=1, keepdims=True)
         logger.bars(entity_paths.HISTOGRAM, shares, palette.NEUTRAL)
         log_codebook(logger, codebook, angular_bins, z)
+
+
+def _window_around(points: Array) -> Window:
+    """Where points (n, 2) are, with a margin."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    (left, top), (right, bottom) = low - 0.03 * (high - low), high + 0.03 * (high - low)
+    return float(left), float(right), float(top), float(bottom)

@@ -15,12 +15,13 @@ from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.ground_truth import GroundTruth, log_true_pose
 from silpose.recording.header import Header
 from silpose.recording.layout import extinction_layout, tracking_layout
+from silpose.recording.overlay import log_overlay
 from silpose.recording.silhouette import log_masks_alone
 from silpose.recording.stream import log_figure, recording_stream
 from silpose.tracking import Track
 
 _APART = 1.0  # metres between the places where the estimates stand
-_OVERHEAD = 1.85  # metres
+_OVERHEAD = 1.95  # metres
 _BIN = 15  # degrees of heading in a bar
 
 
@@ -58,6 +59,7 @@ def record_tracking(
         logger = FrameLogger(recording, len(take), rate)
         if take.has_masks:
             log_masks_alone(logger, take.mask_array())
+            log_overlay(logger, [*tracks.values()][-1], take.mask_array(), space)
         place = _APART * (np.arange(len(tracks)) - (len(tracks) - 1) / 2)
         places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
         height = truth.root * (0, 1, 0)
@@ -69,7 +71,7 @@ def record_tracking(
             entity = entity_paths.below(entity_paths.TRACKS, method)
             _log_bodies(logger, f"{entity}/skeleton", [x], [where], height, space, colour)
             logger.poses(f"{entity}/pose", x, space)
-            logger.series(f"{entity}/heading", space.heading(x), method, colour, 1.0)
+            logger.headings(f"{entity}/heading", space.heading(x), method, colour, 1.0)
         names = rr.Points3D(
             places + np.array([0, _OVERHEAD, 0]),
             labels=list(tracks),
@@ -138,7 +140,7 @@ def record_extinction(
         log_figure(recording, header)
         logger = FrameLogger(recording, len(next(iter(errors.values()))), frames_per_second)
         for k, (method, values) in enumerate(activations.items()):
-            colour = palette.hue(k, len(activations))
+            colour = palette.one_of(k, len(activations))
             logger.bars(entity_paths.below(entity_paths.KERNELS, method), values, colour)
             logger.series(
                 entity_paths.below(entity_paths.ERROR, method), errors[method], method, colour

@@ -45,19 +45,26 @@ def test_options_of_a_verb_are_described(command):
     assert "--every" in out
 
 
+def test_a_comparison_is_named_after_its_runs(command, monkeypatch, finished, tmp_path):
+    monkeypatch.setattr("silpose.recording.compare", lambda *_: None)
+    runs = [shutil.copytree(finished.folder, tmp_path / f"00{k}") for k in range(6)]
+    assert "single_image_000_001.rrd" in command("compare", *runs[:2])[1]
+    assert "single_image_000_to_005.rrd" in command("compare", *runs)[1]
+
+
 def test_runs_are_listed(command, finished, tmp_path):
-    folder = tmp_path / "recordings" / "single_image" / "002"
-    shutil.copytree(finished.folder, folder)
+    assert "no finished runs below 'recordings'" in command("list")[1]
+    shutil.copytree(finished.folder, tmp_path / "recordings" / "single_image" / "002")
     _, out = command("list")
-    (line,) = [line.split() for line in out.splitlines() if line.startswith("single_image")]
-    assert line[1:3] == ["recordings/single_image/002", finished.dataset]
+    (line,) = [line.split() for line in out.splitlines() if line.startswith("recordings/")]
+    assert line[:2] == ["recordings/single_image/002", finished.dataset]
     assert command("list", "recordings/single_image")[1] == out
     (tmp_path / "empty").mkdir()
     assert "no finished runs below 'empty'" in command("list", "empty")[1]
     assert command("list", "nowhere")[0].startswith("silpose: there is no folder 'nowhere'")
 
 
-def test_without_a_screen_open_says_how(command, finished, monkeypatch):
+def test_without_a_screen_open_says_how(command, finished, monkeypatch, tmp_path):
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(sys, "platform", "linux")
@@ -65,6 +72,8 @@ def test_without_a_screen_open_says_how(command, finished, monkeypatch):
     assert status == 0
     assert "no screen here" in out
     assert str(finished.recording) in out
+    shutil.copytree(finished.folder, tmp_path / "recordings" / "single_image" / "a b")
+    assert "'recordings/single_image/a b/run.rrd'" in command("open", "debug=true")[1]
 
 
 def test_settings_are_told_with_overrides(command):

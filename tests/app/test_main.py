@@ -1,4 +1,5 @@
 import csv
+import re
 import subprocess
 import sys
 
@@ -72,6 +73,16 @@ def test_a_sweep_returns_the_headline_of_every_job(run, monkeypatch):
     assert out.splitlines() == ["seed=1", "seed=2"]
 
 
+def test_the_version_is_told(run):
+    status, out, _ = run("--version")
+    assert status == 0 and re.match(r"silpose \d+\.\d+", out)
+
+
+def test_a_stage_is_named_before_anything_heavy_is_loaded(run):
+    _, _, err = run("seed=x")
+    assert err.splitlines()[0] == "loading …"
+
+
 @pytest.mark.parametrize("path", ["-a, [b]='c' ${seed}", "x=1,2", "a\\", "--help me"])
 def test_a_path_is_untouched_in_every_job_of_a_sweep(run, tmp_path, monkeypatch, path):
     class Finished:
@@ -126,8 +137,11 @@ WRONG = {
     "motion=walkr": "there is no motion=walkr; did you mean 'walker'?",
     "motion.secnds=3": "no setting 'motion.secnds'; did you mean 'motion.seconds'?",
     "+motion.second=3": "no setting 'motion.second'; did you mean 'motion.seconds'?",
+    "~motion": "'motion' cannot be deleted: leave out '~motion'",
+    "recording.name=": "name of one folder, not ''",
+    "recording.name=..": "name of one folder, not '..'",
     "seed=x": "'seed' must be an integer, not 'x'",
-    "nonsense": "there is no command 'nonsense'; there are compare, film",
+    "nonsense": "there is no command 'nonsense'; there are compare, completion",
     "predct masks": "there is no command 'predct'; did you mean 'predict'?",
     "seed=1 nonsense": "cannot read 'nonsense'",
     "n_jobs=0": "n_jobs must be an integer other than 0",

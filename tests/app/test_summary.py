@@ -1,3 +1,6 @@
+from dataclasses import replace
+
+import pytest
 from rich.console import Console
 
 from silpose.app.summary import results, summarise
@@ -17,6 +20,36 @@ def test_names_are_whole_in_a_narrow_terminal(tmp_path):
     console.print(results(run))
     told = console.export_text()
     assert all(value in told for value in ("tracker_given_start", "1.64", "4.8°", "100%", "82%"))
+
+
+@pytest.mark.parametrize("width", [40, 60, 80])
+def test_no_value_is_cut_in_a_narrow_terminal(tmp_path, width):
+    values = {
+        "mean_angular_error_deg": 10.25,
+        "heading_median_deg": 104.5,
+        "heading_over_20deg": 0.99,
+        "mpjpe_mm": 1234.0,
+        "silhouette_iou": 0.75,
+        "coverage_angles": 1.0,
+    }
+    methods = {"fitted_take_shape_given": values, "oracle": values}
+    run = FinishedRun(tmp_path, "fitting", "data", methods, {}, "")
+    console = Console(width=width, record=True)
+    console.print(results(run, width))
+    told = console.export_text()
+    assert "…" not in told
+    assert max(map(len, told.splitlines())) <= width
+    for value in ("10.25°", "104.5°", "99%", "1234 mm", "0.75", "100%", "fitted_take_shape_given"):
+        assert told.count(value) >= 1 + (value[0].isdigit())
+
+
+def test_a_table_says_what_it_is_and_explains_its_words(finished, capsys):
+    summarise(replace(finished, experiment="extinction"))
+    told = capsys.readouterr().out
+    assert "errors of the tracker on an unseen take" in told
+    assert "pose kernel" in told
+    assert "off by 20°: frames whose heading is wrong by more than 20°" in told
+    assert "oracle: the training pose nearest to the true one" in told
 
 
 def test_a_report_is_printed_as_it_is(tmp_path, capsys):

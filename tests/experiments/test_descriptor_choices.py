@@ -27,8 +27,8 @@ def test_the_headline_is_the_best_validation_error(choices):
 
 
 def test_the_figure_has_a_panel_for_each_parameter(choices):
-    panels = [axes for axes in choices.result.figure.axes if axes.get_title()]
-    assert [axes.get_title() for axes in panels] == ["codebook size", "voters", "hellinger"]
+    panels = [axes for axes in choices.result.figure.axes if axes.get_title("left")]
+    assert [axes.get_title("left") for axes in panels] == ["codebook size", "voters", "hellinger"]
     assert [tick.get_text() for tick in panels[1].get_xticklabels()] == ["all", "8"]
 
 

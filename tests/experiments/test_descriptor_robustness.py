@@ -38,7 +38,7 @@ def test_stronger_damage_makes_worse_errors(robustness):
 
 
 def test_the_figure_has_a_panel_for_each_kind_and_a_curve_for_each_descriptor(robustness):
-    titles = [axes.get_title() for axes in robustness.result.figure.axes[:2]]
+    titles = [axes.get_title("left") for axes in robustness.result.figure.axes[:2]]
     assert titles == ["frame cut", "holes"]
     assert len(robustness.result.figure.axes[0].lines) == 6 + 2  # mean pose, damage
 

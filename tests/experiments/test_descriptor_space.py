@@ -22,7 +22,7 @@ def test_principal_components_hold_much_of_the_variance(space):
 
 
 def test_no_more_contexts_than_asked_for_are_drawn(space):
-    everything = space.result.figure.axes[0]
+    everything = space.result.figure.axes[2]
     assert len(everything.lines[0].get_xdata()) == 500
     assert len(everything.collections[0].get_offsets()) == 40
 

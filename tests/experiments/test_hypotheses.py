@@ -42,7 +42,7 @@ def test_two_given_poses_help_the_belief_tracker_at_most_at_the_start(hypotheses
 
 def test_the_figure_shades_the_blank_frames_and_marks_the_cut(hypotheses):
     headings = hypotheses.result.figure.subfigs[0].axes[0]
-    blank = next(p for p in headings.patches if p.get_label() == "blank")
+    blank = next(p for p in headings.patches if p.get_label() == "blank masks")
     cut = next(line for line in headings.lines if line.get_label() == "cut")
     assert blank.get_width() == pytest.approx(10)
     assert cut.get_xdata()[0] == 2 * 105 // 3 - 0.5

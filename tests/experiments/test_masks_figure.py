@@ -4,7 +4,7 @@ from silpose.experiments.masks_figure import masks_figure
 from silpose.silhouette import MaskSequence
 
 
-def test_masks_are_drawn_evenly_and_what_is_left_out_is_red():
+def test_masks_are_drawn_evenly_and_what_is_left_out_is_marked():
     masks = [np.zeros((8, 6), np.uint8) for _ in range(30)]
     kept = [mask.copy() for mask in masks]
     for mask in masks:

@@ -5,6 +5,7 @@ from small_components import with_regression
 from silpose.core.pose_space import ANGLES
 from silpose.core.skeleton import ANGLES as NAMES
 from silpose.experiments.mixture import BEST_OF, best_of, reliability_of
+from silpose.recording.captions import in_words
 from silpose.regression import Candidates, MixtureOfRegressors
 
 
@@ -39,7 +40,8 @@ def test_the_headline_is_the_negative_likelihood_of_what_was_chosen(mixture):
 def test_the_figure_has_a_curve_for_each_method_with_modes(mixture):
     errors, likelihoods, _ = mixture.result.figure.axes
     labels = [line.get_label() for line in errors.lines]
-    assert labels == ["mixture: modes", "neighbours: modes", "gmr: modes", "ridge", "knn", "oracle"]
+    modes = ["modes: mixture", "modes: neighbours", "modes: Gaussian mixture"]
+    assert labels == [*modes, *map(in_words, ("ridge", "knn", "oracle"))]
     assert len(likelihoods.patches) == 3
 
 

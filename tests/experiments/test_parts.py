@@ -36,5 +36,6 @@ def test_regressors_beat_the_mean_pose(parts):
 
 def test_the_figure_draws_a_curve_for_each_part(parts):
     errors, kept = parts.result.figure.axes
-    assert [line.get_label() for line in errors.lines[::2]] == list(parts.metrics)
-    assert len(kept.lines) == 6
+    labels = [line.get_label().partition(":")[0] for line in errors.lines[::2]]
+    assert labels == [part.replace("_", " ") for part in parts.metrics]
+    assert len(kept.lines) == len(errors.lines) == 2 * 6  # each with the dot of what was chosen

@@ -37,9 +37,9 @@ def test_shares_are_chosen_with_the_error_that_they_gave(tracking):
 
 
 def test_the_figure_has_a_column_for_each_method_shown(tracking):
-    titles = [axes.get_title() for axes in tracking.result.figure.axes if axes.get_title()]
+    titles = [axes.get_title("left") for axes in tracking.result.figure.axes[: len(SHOWN)]]
     errors = tracking.values("mean_angular_error_deg")
-    assert titles == [f"{title}: {errors[method]:.2f}" for method, title in SHOWN.items()]
+    assert titles == [f"{title}\nerror {errors[method]:.2f}°" for method, title in SHOWN.items()]
 
 
 def test_the_saved_tracker_tracks_a_take_and_a_stream_alike(tracking, sequence):

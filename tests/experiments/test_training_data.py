@@ -52,7 +52,7 @@ def test_all_are_tested_on_the_same_unseen_performer(training_data):
 
 
 def test_the_figure_has_a_panel_for_each_test(training_data):
-    titles = [axes.get_title() for axes in training_data.result.figure.axes]
+    titles = [axes.get_title("left") for axes in training_data.result.figure.axes]
     assert titles == [
         "unseen performers, one camera",
         "unseen performers, varied bodies and cameras",

@@ -50,3 +50,21 @@ def test_each_frame_has_as_many_points_as_it_is_given(written, logged):
     drawn = logged(path, "/a", "Points2D:colors")
     assert [len(frame) for frame in drawn] == [2, 0, 1]
     assert drawn[0][0] == drawn[2][0] != drawn[0][1]
+
+
+def test_a_heading_has_a_gap_where_it_turns_past_180_degrees(written, logged):
+    degrees = np.array([170.0, -175.0, -160.0])
+    path = written(lambda logger: logger.headings("/a", degrees, "a", (1, 2, 3)))
+    assert logged(path, "/a", "frame") == [0, 1, 1, 2]
+    values = np.ravel(logged(path, "/a", "Scalars:scalars"))
+    np.testing.assert_array_equal(values, [170, np.nan, -175, -160])
+
+
+def test_joints_have_names_and_connections(written, logged):
+    joints, names = np.zeros((3, 2, 3)), ("hip", "left_knee")
+    path = written(lambda logger: logger.skeleton("/a", joints, [(0, 1)], names, (90, 90, 90), 0.1))
+    assert [len(frame) for frame in logged(path, "/a", "Points3D:positions")] == [2, 2, 2]
+    (((described,),),) = logged(path, "/a", "AnnotationContext:context", static=True)
+    labels = [point["label"] for point in described["class_description"]["keypoint_annotations"]]
+    assert labels == list(names)
+    assert len(described["class_description"]["keypoint_connections"]) == 1

@@ -1,8 +1,10 @@
 import re
+from dataclasses import replace
 from pathlib import Path
 
 from silpose.recording import Header
 from silpose.recording import entity_paths as entities
+from silpose.recording.header import results_table
 
 SETTINGS = """\
 motion:
@@ -47,6 +49,21 @@ def test_texts_hold_words_settings_and_results():
     assert texts[entities.TAKE] == "a walk"
     assert texts[entities.METRICS].startswith("a walk\n\n| method |")
     assert "| rvm | 4.25° |" in texts[entities.METRICS]
-    assert "nu:" in texts[entities.SETTINGS]
-    assert "root: /somewhere" not in texts[entities.SETTINGS]
+    assert "/somewhere" not in texts[entities.SETTINGS]
     assert entities.SETTINGS not in header("").texts()
+
+
+def test_only_settings_that_differ_from_the_defaults_are_shown():
+    usual = replace(header(), defaults=SETTINGS).texts()[entities.SETTINGS]
+    assert usual == "All settings have their defaults."
+    other = SETTINGS.replace("seed: 3", "seed: 4").replace("[8, 16]", "[8]")
+    text = replace(header(), defaults=other).texts()[entities.SETTINGS]
+    assert text.endswith("```\nregression.rvm.nu=[8, 16]\nseed=3\n```\n")
+
+
+def test_the_best_row_is_the_first_and_bold():
+    table = results_table(
+        {"knn": {"error": 2.0}, "ridge": {"error": 1.0}, "oracle": {"error": 0.5}}
+    )
+    methods = [line.split("|")[1].strip() for line in table.splitlines()[2:]]
+    assert methods == ["**ridge**", "knn", "oracle"]

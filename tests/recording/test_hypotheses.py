@@ -20,8 +20,8 @@ def test_only_modes_of_some_weight_are_drawn(recordings, modes, logged):
     assert np.isnan(np.ravel(headings)).tolist() == (weights == 0).tolist()
 
 
-def test_the_more_probable_mode_is_thicker_and_brighter(recordings, logged):
-    thickness, brightness = (
+def test_the_more_probable_mode_is_thicker_and_more_colourful(recordings, logged):
+    thickness, colours = (
         [
             logged(recordings["modes"], f"{entities.MODES}/{k}/skeleton", f"LineStrips3D:{what}")[1]
             for k in (1, 2)
@@ -29,5 +29,5 @@ def test_the_more_probable_mode_is_thicker_and_brighter(recordings, logged):
         for what in ("radii", "colors")
     )
     assert thickness[0][0] > thickness[1][0]
-    first, second = (np.array(b, np.uint32)[:, None].view(np.uint8)[:, 1:] for b in brightness)
-    assert first.max() > second.max()
+    first, second = (np.array(b, np.uint32)[:, None].view(np.uint8)[:, 1:] for b in colours)
+    assert np.ptp(first, axis=1).max() > np.ptp(second, axis=1).max()

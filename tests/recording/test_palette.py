@@ -1,17 +1,72 @@
+import itertools
 import re
 
 import numpy as np
+import pytest
 
 from silpose.recording import palette
 from silpose.tracking import STATES
 
+# From linear RGB to what is seen with no red, green or blue cones: Machado, Oliveira and Fernandes
+# (2009), at full severity.
+SEEN = {
+    "usual": np.eye(3),
+    "protanopia": [
+        [0.152286, 1.052583, -0.204868],
+        [0.114503, 0.786281, 0.099216],
+        [-0.003882, -0.048116, 1.051998],
+    ],
+    "deuteranopia": [
+        [0.367322, 0.860646, -0.227968],
+        [0.280085, 0.672501, 0.047413],
+        [-0.011820, 0.042940, 0.968881],
+    ],
+    "tritanopia": [
+        [1.255528, -0.076749, -0.178779],
+        [-0.078411, 0.930809, 0.147602],
+        [0.004733, 0.691367, 0.303900],
+    ],
+}
+XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+HUES = (palette.TRUE, palette.ESTIMATED, *palette.MODES)
+DARK, WHITE = (13, 16, 17), (255, 255, 255)  # of the viewer's themes
+
+
+def linear(colours):
+    values = np.asarray(colours) / 255
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+
+
+def lab(light):
+    white = XYZ.sum(axis=1)
+    x, y, z = (np.cbrt(np.clip(light, 0, 1) @ XYZ.T / white)).T
+    return np.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], axis=1)
+
+
+def contrast(colour, other):
+    low, high = sorted(float(linear(c) @ XYZ[1]) + 0.05 for c in (colour, other))
+    return high / low
+
+
+@pytest.mark.parametrize("kind", SEEN)
+def test_hues_are_told_apart_with_any_colour_blindness(kind):
+    places = lab(linear(HUES) @ np.transpose(SEEN[kind]))
+    apart = [np.linalg.norm(a - b) for a, b in itertools.combinations(places, 2)]
+    assert min(apart) > 15
+
+
+@pytest.mark.parametrize("background", [DARK, WHITE])
+def test_hues_are_seen_in_the_light_and_in_the_dark(background):
+    assert min(contrast(colour, background) for colour in HUES[:4]) > 2.9
+    sides = [palette.shade(colour, side) for colour in HUES for side in ("left", "right")]
+    assert min(contrast(colour, background) for colour in (*HUES, *sides)) > 1.5
+
 
 def test_the_left_side_is_light_and_the_right_side_dark():
-    left, middle, right = (
-        sum(palette.shade(palette.TRUE, side)) for side in ("left", "head", "right")
-    )
-    assert left > middle > right
-    assert palette.shade(palette.TRUE, "head") == palette.TRUE
+    for colour in HUES:
+        left, middle, right = lab(linear([palette.shade(colour, s) for s in ("left", "", "right")]))
+        assert left[0] - 5 > middle[0] > right[0] + 5
+        assert palette.shade(colour, "head") == colour
 
 
 def test_neighbours_have_neighbouring_colours():
@@ -21,12 +76,19 @@ def test_neighbours_have_neighbouring_colours():
     assert steps.max() < 20
 
 
+def test_few_things_have_the_hues_of_modes_and_many_those_of_the_wheel():
+    assert [palette.one_of(k, 4) for k in range(4)] == list(palette.MODES)
+    assert len({palette.one_of(k, 9) for k in range(9)}) == 9
+    assert palette.of_method("tracker", 0, 2) == palette.ESTIMATED
+    assert palette.of_method("another", 1, 2) == palette.MODES[1]
+
+
 def test_matplotlib_gets_six_digits():
     assert palette.hexed((0, 9, 255)) == "#0009ff"
-    colours = [value for name, value in vars(palette).items() if name.endswith("_ON_WHITE")]
-    assert len({palette.hexed(colour) for colour in colours}) == len(colours) == 6
-    assert all(re.fullmatch("#[0-9a-f]{6}", palette.hexed(colour)) for colour in colours)
+    assert all(re.fullmatch("#[0-9a-f]{6}", palette.hexed(colour)) for colour in HUES)
 
 
 def test_every_state_of_a_tracker_has_a_colour():
     assert set(palette.STATES) == set(STATES)
+    assert palette.states(["lost"]) == palette.STATES
+    assert {"poor", "lost"} <= set(palette.states(["poor", "lost"]))

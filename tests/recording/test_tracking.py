@@ -43,7 +43,7 @@ def test_kernels_of_each_tracker_are_bars(recordings, logged):
     assert [np.argmax(bar[0]["buffer"]) for bar in bars] == list(range(5))
 
 
-def test_400_tracked_frames_fit_in_4_MB(sequence, header, tmp_path):
+def test_400_tracked_frames_fit_in_5_MB(sequence, header, tmp_path):
     """With masks of 256 x 256, beliefs and four methods, as the experiment draws them."""
     masks = [
         np.kron(mask, np.ones((3, 3), np.uint8))[16:272, 16:272]
@@ -59,7 +59,7 @@ def test_400_tracked_frames_fit_in_4_MB(sequence, header, tmp_path):
     track = Track(x, ["tracking"] * 400, rng.dirichlet(np.full(370, 0.1), 400))
     file = tmp_path / "run.rrd"
     record_tracking(header(file), take, truth, tracks, track, rng.uniform(-180, 180, 370), ANGLES)
-    assert 2e6 < file.stat().st_size < 4e6
+    assert 2e6 < file.stat().st_size < 5e6
 
 
 def test_a_track_without_beliefs_is_refused(sequence, states, header, tmp_path):

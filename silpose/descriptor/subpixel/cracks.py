@@ -91,7 +91,7 @@ def runs_along(pixels: Pixels, lengths: Pixels) -> Runs:  # pragma: no cover
             direction = ((last + 4) & 7) - 1  # from the next pixel, where this one is
             x, y = next_x, next_y
         if sides[run] == sides[first] and run > first:  # the walk began within a run
-            starts[first] = starts[run]
+            starts[first, 0], starts[first, 1] = starts[run, 0], starts[run, 1]
             cracks[first] += cracks[run]
             run -= 1
         counts[contour] = run + 1 - first

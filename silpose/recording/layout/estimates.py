@@ -6,9 +6,11 @@ from collections.abc import Mapping, Sequence
 
 import rerun.blueprint as rrb
 
-from silpose.recording import entity_paths
+from silpose.recording import entity_paths, palette
+from silpose.recording.captions import coloured, in_words
 from silpose.recording.layout.views import (
     FROM_THE_SIDE,
+    TRUTH_AND_ESTIMATE,
     Window,
     blueprint,
     bodies_view,
@@ -17,6 +19,7 @@ from silpose.recording.layout.views import (
     estimate_input_view,
     from_the_front,
     heading_norm_view,
+    headings_view,
     series_view,
     state_view,
     texts_view,
@@ -46,15 +49,15 @@ def single_image_layout(
     """
     estimate = rrb.Vertical(
         bodies_view(
-            "true (blue) and estimated (orange) pose; left side light, right side dark",
+            f"{coloured(TRUTH_AND_ESTIMATE)} pose; left side light, right side dark",
             [entity_paths.TRUE_SKELETON, entity_paths.ESTIMATED_SKELETON],
             FROM_THE_SIDE,
         ),
-        series_view(
-            "heading, degrees", [entity_paths.TRUE_HEADING, entity_paths.ESTIMATED_HEADING]
+        headings_view(
+            [entity_paths.TRUE_HEADING, entity_paths.ESTIMATED_HEADING], TRUTH_AND_ESTIMATE
         ),
         heading_norm_view(),
-        errors_view(metric, shown),
+        errors_view(metric, shown, shown[0]),
         row_shares=[3.4, 1, 0.7, 1],
     )
     columns = [estimate_input_view(window), estimate, texts_view(examples)]
@@ -64,14 +67,14 @@ def single_image_layout(
 def prediction_layout(frames_per_second: float, window: Window, judged: bool) -> rrb.Blueprint:
     """Lay out poses estimated from masks, without ground truth; with confidence if `judged`."""
     bodies = bodies_view(
-        "estimated pose, red where it is doubtful; left side light, right side dark",
+        "estimated pose, purple where it is doubtful; left side light, right side dark",
         [entity_paths.ESTIMATED_SKELETON],
         FROM_THE_SIDE,
     )
-    heading = series_view("heading, degrees", [entity_paths.ESTIMATED_HEADING])
+    heading = headings_view([entity_paths.ESTIMATED_HEADING], {"estimated": palette.ESTIMATED})
     certainty = confidence_view() if judged else heading_norm_view()
     estimate = rrb.Vertical(bodies, state_view(), heading, certainty, row_shares=[3.4, 0.5, 1, 0.7])
-    inputs = estimate_input_view(window, "mask, edge points and estimated pose")
+    inputs = estimate_input_view(window)
     return blueprint([inputs, estimate, texts_view()], [1.3, 1.7, 0.6], frames_per_second)
 
 
@@ -107,9 +110,13 @@ def comparison_layout(
     errors = [
         f"/{run}{entity_paths.below(entity_paths.ERROR, method)}" for run, method in drawn.items()
     ]
+    colours = {
+        f"{run}, {in_words(method)}": palette.one_of(k, len(drawn))
+        for k, (run, method) in enumerate(drawn.items())
+    }
     shown = rrb.Vertical(
         rrb.Grid(*views, grid_columns=1 if side_by_side else min(len(views), 3)),
-        series_view("error", errors),
+        series_view(f"error: {coloured(colours)}", errors),
         row_shares=[3 if side_by_side else 2, 1],
     )
     results = rrb.TextDocumentView(origin=entity_paths.METRICS, name="results")

@@ -6,9 +6,11 @@ from collections.abc import Sequence
 
 import rerun.blueprint as rrb
 
-from silpose.recording import entity_paths
+from silpose.recording import entity_paths, palette
+from silpose.recording.captions import coloured
 from silpose.recording.layout.views import (
     FROM_THE_SIDE,
+    UNIT_SPAN,
     Window,
     blueprint,
     bodies_view,
@@ -35,18 +37,18 @@ def fitting_layout(
         Part of the masks that is shown.
     """
     tabs = rrb.Tabs(_take(shown, metric, window), _iterations(window), active_tab=0)
-    return blueprint([tabs, texts_view()], [2.9, 1], frames_per_second)
+    return blueprint([tabs, texts_view()], [2.5, 1.15], frames_per_second)
 
 
 def _take(shown: Sequence[str], metric: str, window: Window) -> rrb.Container:
     """Lay out the take, on the timelines `frame` and `time`."""
     overlap = rrb.Spatial2DView(
         origin=entity_paths.OVERLAP,
-        name="grey: mask and body; blue: mask only; orange: body only",
+        name="both (grey), mask only (blue), body only (vermilion)",
         visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:]),
     )
     bodies = bodies_view(
-        "true (blue); before (violet); fitted (orange); the fitted body",
+        "true (blue), before (purple), fitted (vermilion), and the fitted body",
         [
             entity_paths.TRUE_SKELETON,
             entity_paths.ESTIMATED_SKELETON,
@@ -55,11 +57,12 @@ def _take(shown: Sequence[str], metric: str, window: Window) -> rrb.Container:
         ],
         from_the_front(2.7),
     )
+    colours = {m: palette.of_method(m, k, len(shown)) for k, m in enumerate(shown)}
     shares = [entity_paths.below(entity_paths.OVERLAP_SHARES, method) for method in shown]
     return rrb.Vertical(
         rrb.Horizontal(overlap, bodies, column_shares=[1, 1.6]),
         errors_view(metric, shown),
-        series_view("overlap of mask and body", shares),
+        series_view(f"overlap of mask and body: {coloured(colours)}", shares, UNIT_SPAN),
         row_shares=[3.2, 1, 1],
         name="the take",
     )
@@ -73,7 +76,7 @@ def _iterations(window: Window) -> rrb.Container:
         visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:]),
     )
     bodies = bodies_view(
-        "true pose (blue) and that of this iteration (orange)",
+        "true pose (blue) and that of this iteration (vermilion)",
         [entity_paths.ITERATED_TRUE_SKELETON, entity_paths.ITERATED_SKELETON],
         FROM_THE_SIDE,
     )
@@ -81,7 +84,7 @@ def _iterations(window: Window) -> rrb.Container:
         rrb.Horizontal(overlap, bodies),
         rrb.Horizontal(
             series_view("cost: minus twice the log posterior", [entity_paths.ITERATED_COST]),
-            series_view("overlap of mask and body", [entity_paths.ITERATED_IOU]),
+            series_view("overlap of mask and body", [entity_paths.ITERATED_IOU], UNIT_SPAN),
         ),
         row_shares=[3, 1],
         name="one frame converges (choose the timeline iteration)",

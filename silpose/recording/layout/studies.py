@@ -9,6 +9,7 @@ import rerun.blueprint as rrb
 from silpose.recording import entity_paths
 from silpose.recording.layout.views import (
     FROM_THE_SIDE,
+    Window,
     bars_view,
     blueprint,
     bodies_view,
@@ -68,7 +69,7 @@ def bridges_layout() -> rrb.Blueprint:
 
 
 def features_layout(parts: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
-    """Lay out one image per body part: the silhouette and the points that it retains."""
+    """Lay out one image per body part, the silhouette and the points it retains; then the texts."""
     views = [
         rrb.Spatial2DView(
             origin=entity_paths.CAMERA,
@@ -80,15 +81,18 @@ def features_layout(parts: Sequence[str], frames_per_second: float) -> rrb.Bluep
         )
         for part in parts
     ]
-    return blueprint([rrb.Grid(*views, grid_columns=3), texts_view()], [2.6, 1], frames_per_second)
+    return blueprint([rrb.Grid(*views, texts_view(), grid_columns=3)], [1], frames_per_second)
 
 
-def context_space_layout(frames_per_second: float) -> rrb.Blueprint:
+def context_space_layout(frames_per_second: float, window: Window) -> rrb.Blueprint:
     """Lay out a silhouette, where its edge points are among all contexts, and the codebook."""
     plane = rrb.Spatial2DView(
         origin=entity_paths.CONTEXT_SPACE,
-        name="shape contexts: all (grey), centres, this silhouette's",
+        name="shape contexts: all (grey), centres (large), this silhouette's (small)",
+        visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:]),
     )
-    seen = rrb.Vertical(mask_view(), histogram_view(), row_shares=[2.2, 1])
+    seen = rrb.Vertical(
+        mask_view("edge points by nearest centre"), histogram_view(), row_shares=[2.2, 1]
+    )
     beside = rrb.Vertical(codebook_view(), texts_view(), row_shares=[1.3, 1])
     return blueprint([seen, plane, beside], [1, 1.7, 1], frames_per_second)

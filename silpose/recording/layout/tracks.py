@@ -6,15 +6,18 @@ from collections.abc import Sequence
 
 import rerun.blueprint as rrb
 
-from silpose.recording import entity_paths
+from silpose.recording import entity_paths, palette
+from silpose.recording.captions import coloured
 from silpose.recording.layout.views import (
     FROM_THE_SIDE,
+    UNIT_SPAN,
     bars_view,
     blueprint,
     bodies_view,
     errors_view,
     figure_view,
     from_the_front,
+    headings_view,
     mask_view,
     series_view,
     state_view,
@@ -49,16 +52,15 @@ def tracking_layout(
             from_the_front(0.75 * len(methods) + 0.5),
         ),
         state_view(),
-        series_view("heading, degrees", [entity_paths.TRUE_HEADING, f"{tracks[-1]}/heading"]),
+        headings_view(
+            [entity_paths.TRUE_HEADING, f"{tracks[-1]}/heading"],
+            {"true": palette.TRUE, methods[-1]: palette.of_method(methods[-1], 0, 1)},
+        ),
         errors_view(metric, ("ridge", "tracker")),
         row_shares=[3.2, 0.5, 1, 1],
     )
     belief = bars_view(entity_paths.BELIEF, "tracking: belief, by heading in degrees")
-    seen = (
-        rrb.Vertical(mask_view("silhouette: mask"), belief, row_shares=[1.5, 1])
-        if masks
-        else rrb.Vertical(belief)
-    )
+    seen = rrb.Vertical(mask_view(), belief, row_shares=[1.5, 1]) if masks else rrb.Vertical(belief)
     return blueprint([seen, estimates, texts_view()], [1, 2.6, 1.1], frames_per_second)
 
 
@@ -80,22 +82,23 @@ def modes_layout(
         Whether masks are recorded.
     """
     modes = _numbered(entity_paths.MODES, count)
+    colours = {str(k + 1): palette.one_of(k, count) for k in range(count)}
     headings = [entity_paths.TRUE_HEADING, *(f"{mode}/heading" for mode in modes[:2])]
     estimates = rrb.Vertical(
         bodies_view(
-            "true pose (blue) and several estimates: the brighter, the more probable",
+            f"true pose (blue) and modes: {coloured(colours)}; the less probable, the thinner",
             [entity_paths.TRUE_SKELETON, *(f"{mode}/skeleton" for mode in modes)],
             FROM_THE_SIDE,
         ),
-        series_view("probability of each mode", [f"{mode}/weight" for mode in modes], (0.0, 1.0)),
-        series_view("heading, degrees", headings),
+        series_view("probability of each mode", [f"{mode}/weight" for mode in modes], UNIT_SPAN),
+        headings_view(headings, {"true": palette.TRUE} | dict([*colours.items()][:2])),
         errors_view(metric, shown),
-        row_shares=[3.2, 0.9, 1, 1],
+        row_shares=[2.9, 1, 1, 1.1],
     )
     if not masks:
         return blueprint([estimates, texts_view()], [2.6, 1], frames_per_second)
-    mask = mask_view("silhouette: mask")
-    return blueprint([mask, estimates, texts_view()], [1, 2, 1], frames_per_second)
+    mask = mask_view()
+    return blueprint([mask, estimates, texts_view()], [0.75, 1.9, 1.3], frames_per_second)
 
 
 def hypotheses_layout(count: int, frames_per_second: float, masks: bool) -> rrb.Blueprint:
@@ -111,6 +114,7 @@ def hypotheses_layout(count: int, frames_per_second: float, masks: bool) -> rrb.
     """
     alone = _numbered(entity_paths.MODES, count)
     tracked = _numbered(entity_paths.HYPOTHESES, count)
+    colours = {str(k + 1): palette.one_of(k, count) for k in range(count)}
     bodies = rrb.Horizontal(
         *(
             bodies_view(
@@ -119,14 +123,22 @@ def hypotheses_layout(count: int, frames_per_second: float, masks: bool) -> rrb.
                 FROM_THE_SIDE,
             )
             for title, modes in (
-                ("this silhouette alone: mixture (true pose blue)", alone),
-                ("all silhouettes so far: hypotheses (true pose blue)", tracked),
+                ("this silhouette alone; true pose (blue)", alone),
+                ("all silhouettes so far; true pose (blue)", tracked),
             )
         )
     )
     weights = rrb.Horizontal(
-        series_view("probability: mixture", [f"{mode}/weight" for mode in alone], (0.0, 1.0)),
-        series_view("probability: hypotheses", [f"{mode}/weight" for mode in tracked], (0.0, 1.0)),
+        series_view(
+            f"probability: {coloured(colours)}",
+            [f"{mode}/weight" for mode in alone],
+            UNIT_SPAN,
+        ),
+        series_view(
+            f"probability: {coloured(colours)}",
+            [f"{mode}/weight" for mode in tracked],
+            UNIT_SPAN,
+        ),
     )
     headings = [
         entity_paths.TRUE_HEADING,
@@ -136,14 +148,16 @@ def hypotheses_layout(count: int, frames_per_second: float, masks: bool) -> rrb.
     estimates = rrb.Vertical(
         bodies,
         weights,
-        state_view(),
-        series_view("heading, degrees: true, mode 1 of the mixture, tracker", headings),
-        row_shares=[3, 0.9, 0.5, 1.1],
+        state_view([entity_paths.SEEN, entity_paths.STATE]),
+        headings_view(
+            headings,
+            {"true": palette.TRUE, "mode 1": palette.MODES[0], "tracker": palette.ESTIMATED},
+        ),
+        row_shares=[2.8, 0.9, 0.85, 1.1],
     )
     if not masks:
         return blueprint([estimates, texts_view()], [2.6, 1], frames_per_second)
-    beside = rrb.Vertical(mask_view("silhouette"), texts_view(), row_shares=[1, 1.6])
-    return blueprint([beside, estimates], [1, 2.8], frames_per_second)
+    return blueprint([mask_view(), estimates, texts_view()], [0.75, 2, 1.2], frames_per_second)
 
 
 def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
@@ -154,6 +168,7 @@ def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.
     trackers : sequence of str
     frames_per_second : float
     """
+    colours = {name: palette.one_of(k, len(trackers)) for k, name in enumerate(trackers)}
     kernels = [
         bars_view(
             entity_paths.below(entity_paths.KERNELS, tracker),
@@ -164,7 +179,10 @@ def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.
     shown = rrb.Vertical(
         figure_view(),
         rrb.Horizontal(*kernels),
-        series_view("error", [f"{entity_paths.ERROR}/**"]),
+        series_view(
+            f"error: {coloured(colours)}",
+            [entity_paths.below(entity_paths.ERROR, tracker) for tracker in trackers],
+        ),
         row_shares=[2.2, 1, 1],
     )
     return blueprint([shown, texts_view()], [2.4, 1], frames_per_second)

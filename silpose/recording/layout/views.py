@@ -8,12 +8,20 @@ from typing import Any
 import rerun as rr
 import rerun.blueprint as rrb
 
-from silpose.recording import entity_paths
+from silpose.recording import entity_paths, palette
+from silpose.recording.captions import coloured, in_words
 
 Window = tuple[float, float, float, float]
 """Left, right, top and bottom of what an image view shows, pixels."""
 
-GROUND = rrb.LineGrid3D(spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[70, 72, 80])
+UNIT_SPAN = (0.0, 1.05)
+"""Of probabilities and other shares: a little more, so that 1 is seen."""
+
+TRUTH_AND_ESTIMATE = {"true": palette.TRUE, "estimated": palette.ESTIMATED}
+
+GROUND = rrb.LineGrid3D(
+    spacing=0.5, plane=rr.components.Plane3D([0, 1, 0], 0), color=[*palette.NEUTRAL, 90]
+)
 
 FROM_THE_SIDE = rrb.EyeControls3D(
     kind=rrb.Eye3DKind.Orbital,
@@ -64,9 +72,7 @@ def hide(part: rrb.Container | rrb.View, origin: str) -> None:
         part.visible = False
 
 
-def estimate_input_view(
-    window: Window | None, title: str = "mask and edge points"
-) -> rrb.Container:
+def estimate_input_view(window: Window | None, title: str = "mask, edges, pose") -> rrb.Container:
     """Mask, codebook, histogram and activations; without a window the last two."""
     bars = [
         histogram_view(),
@@ -74,7 +80,7 @@ def estimate_input_view(
     ]
     if window is None:
         return rrb.Vertical(*bars)
-    above = rrb.Horizontal(mask_view(title, window), codebook_view(), column_shares=[1, 1.2])
+    above = rrb.Horizontal(mask_view(title, window), codebook_view(), column_shares=[1.05, 1.15])
     return rrb.Vertical(above, *bars, row_shares=[1.8, 1, 1])
 
 
@@ -94,12 +100,17 @@ def figure_view() -> rrb.Spatial2DView:
 
 
 def mask_view(
-    name: str = "mask, edge points by nearest centre", window: Window | None = None
+    name: str = "mask and estimated pose", window: Window | None = None
 ) -> rrb.Spatial2DView:
     """Mask with its edge points, where there are any."""
     return rrb.Spatial2DView(
         origin=entity_paths.CAMERA,
-        contents=[entity_paths.MASK, entity_paths.EDGE_POINTS, entity_paths.OVERLAID_SKELETON],
+        contents=[
+            entity_paths.MASK,
+            entity_paths.FRAME,
+            entity_paths.EDGE_POINTS,
+            entity_paths.OVERLAID_SKELETON,
+        ],
         name=name,
         visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:])
         if window
@@ -119,7 +130,6 @@ def bodies_view(
         origin=origin,
         contents=list(contents),
         name=name,
-        background=[22, 24, 28],
         line_grid=GROUND,
         eye_controls=eye,
         overrides=overrides,
@@ -132,22 +142,38 @@ def bars_view(entity: str, name: str) -> rrb.BarChartView:
 
 
 def series_view(
-    name: str, contents: Sequence[str], span: tuple[float, float] | None = None
+    name: str,
+    contents: Sequence[str],
+    span: tuple[float, float] | None = None,
+    legend: bool = False,
 ) -> rrb.TimeSeriesView:
-    """Numbers over time, the vertical axis of a given span where there is one."""
+    """Numbers over time, the vertical axis of a given span where there is one.
+
+    A legend covers what is drawn: the title says which colour is what, unless there are too many.
+    """
     return rrb.TimeSeriesView(
         origin="/",
         contents=list(contents),
         name=name,
-        plot_legend=rrb.Corner2D.LeftTop,
+        plot_legend=rrb.PlotLegend(rrb.Corner2D.RightTop, visible=legend),
         axis_y=rrb.ScalarAxis(range=span) if span else None,
     )
 
 
-def errors_view(metric: str, methods: Sequence[str]) -> rrb.TimeSeriesView:
-    """Error of some methods over time."""
+def errors_view(
+    metric: str, methods: Sequence[str], estimated: str | None = None
+) -> rrb.TimeSeriesView:
+    """Error of some methods over time; that of the estimate which is shown has its colour."""
+    colours = {m: palette.of_method(m, k, len(methods)) for k, m in enumerate(methods)}
+    if estimated is not None:
+        colours[estimated] = palette.ESTIMATED
     entities = [entity_paths.below(entity_paths.ERROR, method) for method in methods]
-    return series_view(metric.replace("_", " "), entities)
+    return series_view(f"{in_words(metric)}: {coloured(colours)}", entities)
+
+
+def headings_view(contents: Sequence[str], colours: Mapping[str, palette.Colour]) -> rrb.View:
+    """Headings over time, which go once around."""
+    return series_view(f"heading, degrees: {coloured(colours)}", contents, (-185.0, 185.0))
 
 
 def heading_norm_view() -> rrb.TimeSeriesView:
@@ -161,21 +187,22 @@ def confidence_view() -> rrb.TimeSeriesView:
     return series_view("confidence: below 0.5 is doubtful", [entity_paths.CONFIDENCE], (0.0, 1.05))
 
 
-def state_view() -> rrb.StateTimelineView:
+def state_view(contents: Sequence[str] = (entity_paths.STATE,)) -> rrb.StateTimelineView:
     """State of each frame as a lane."""
-    return rrb.StateTimelineView(origin=entity_paths.STATE, name="state")
+    return rrb.StateTimelineView(origin="/", contents=list(contents), name="state")
 
 
 def texts_view(examples: bool = False) -> rrb.Container:
-    """Results and settings in words; between them influential examples, where there are any."""
-    texts = [
+    """Results, and settings in a tab behind them; below, influential examples if there are any."""
+    texts = rrb.Tabs(
         rrb.TextDocumentView(origin=entity_paths.METRICS, name="results"),
         rrb.TextDocumentView(origin=entity_paths.SETTINGS, name="settings"),
-    ]
+        active_tab=0,
+    )
     if not examples:
-        return rrb.Vertical(*texts, row_shares=[1, 1.3])
+        return texts
     influential = rrb.Spatial2DView(
         origin=entity_paths.INFLUENTIAL_EXAMPLES,
         name="influential training examples and their weights",
     )
-    return rrb.Vertical(texts[0], influential, texts[1], row_shares=[1, 1, 0.6])
+    return rrb.Vertical(texts, influential, row_shares=[1.3, 1])

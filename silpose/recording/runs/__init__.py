@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from silpose.recording.runs.finished_run import FinishedRun, load_poses, load_run, runs_table
     from silpose.recording.runs.result import Recording, Result
     from silpose.recording.runs.run_folder import RunFolder
+    from silpose.recording.runs.runs_below import find_runs, newest_run
     from silpose.recording.runs.server import serve
     from silpose.recording.runs.write import write_result
 
@@ -24,6 +25,7 @@ __getattr__ = lazy_exports(
         "finished_run": ("FinishedRun", "load_poses", "load_run", "runs_table"),
         "result": ("Recording", "Result"),
         "run_folder": ("RunFolder",),
+        "runs_below": ("find_runs", "newest_run"),
         "server": ("serve",),
         "write": ("write_result",),
     },
@@ -35,8 +37,10 @@ __all__ = [
     "Result",
     "RunFolder",
     "compare",
+    "find_runs",
     "load_poses",
     "load_run",
+    "newest_run",
     "runs_table",
     "serve",
     "write_result",

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import rerun as rr
-import yaml
 from rerun.chunk import Chunk
 
 from silpose.core.errors import InputError
@@ -16,7 +15,7 @@ from silpose.recording.layout import comparison_layout
 from silpose.recording.named_settings import typed
 from silpose.recording.read import reader
 from silpose.recording.runs.finished_run import FinishedRun
-from silpose.recording.runs.setting_differences import differing
+from silpose.recording.runs.setting_differences import differing, parsed
 from silpose.recording.stream import recording_stream
 
 _LEFT_OUT = (entity_paths.FIGURE, entity_paths.SETTINGS, entity_paths.METRICS, entity_paths.TAKE)
@@ -65,14 +64,14 @@ def compare(runs: Sequence[FinishedRun], path: Path, method: str | None = None) 
             )
             recording.log(
                 f"/{name}{entity_paths.below(entity_paths.ERROR, drawn[name])}",
-                rr.SeriesLines(colors=palette.hue(k, len(runs)), names=f"{name}: {drawn[name]}"),
+                rr.SeriesLines(colors=palette.one_of(k, len(runs)), names=f"{name}: {drawn[name]}"),
                 static=True,
             )
 
 
 def _in_words(names: Iterable[str], runs: Sequence[FinishedRun]) -> str:
     """Differences of settings as a table, and each run's results."""
-    settings = differing([yaml.safe_load(run.config) or {} for run in runs])
+    settings = differing([parsed(run.config) for run in runs])
     titles = ["run", *settings[0]]
     rows = [
         [name, *("" if value is None else typed(value) for value in own.values())]

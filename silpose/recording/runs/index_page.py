@@ -2,29 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from html import escape
+from itertools import count
 from pathlib import Path
 from urllib.parse import quote
 
-from silpose.core.atomic_files import partial
-from silpose.core.errors import InputError
-from silpose.recording.runs.finished_run import FinishedRun, load_run
+from silpose.core.types import Metrics
+from silpose.recording.named_settings import typed
+from silpose.recording.page_style import PAGE_HEAD, PAGE_STYLE
+from silpose.recording.runs.finished_run import FinishedRun
+from silpose.recording.runs.runs_below import find_runs
+from silpose.recording.runs.setting_differences import differing, parsed
 
-_STYLE = """
-body { font: 15px system-ui, sans-serif; margin: 2em auto; max-width: 70em; padding: 0 1em;
-       color: #ddd; background: #16181c; }
-a { color: #ff9632; } h2 { margin-top: 2em; } .dim { color: #888; }
-table { border-collapse: collapse; width: 100%; }
-th { text-align: right; font-weight: normal; color: #888; padding: .4em .6em; }
-td { text-align: right; vertical-align: top; border-top: 1px solid #333; padding: .4em .6em; }
-th, td { font-variant-numeric: tabular-nums; }
-td.word, th.word { text-align: left; }
-img { height: 5em; border-radius: 4px; display: block; }
+_STYLE = (
+    PAGE_STYLE
+    + """
+h2 { margin: 2.5em 0 0; } h2 + p { margin: .2em 0 1em; color: var(--dim); }
+td { vertical-align: top; white-space: nowrap; } .word { text-align: left; white-space: normal; }
+.set { font-size: 13px; overflow-wrap: anywhere; min-width: 9em; }
+button { padding: 0; border: 0; background: none; cursor: zoom-in; display: block; }
+button img { width: 9em; height: auto; border-radius: 4px; display: block; }
+[popover] { border: 0; padding: 0; background: none; }
+[popover] button, [popover] img { width: auto; }
+[popover] img { max-width: 96vw; max-height: 94vh; cursor: zoom-out; }
+[popover]::backdrop { background: #000c; }
+@media (max-width: 600px) {
+  table, tbody, tr, td { display: block; } tr:first-child { display: none; }
+  tr { border: 1px solid var(--line); border-radius: 6px; margin: 1em 0; padding: .6em; }
+  td, td.word { border: 0; text-align: right; display: flex; gap: 1em; padding: .2em; }
+  td { justify-content: space-between; } td:empty { display: none; }
+  td::before { content: attr(data-title); color: var(--dim); }
+  td.figure { display: block; } td.figure::before { content: none; }
+  button, button img { width: 100%; }
+}
 """
+)
+_CLASSES = {"figure": "figure", "differs in": "word set"}  # of cells, by their titles
+_MOST = 8  # settings of a run, at most, in which it differs from others
 
 
-def index_page(root: Path, viewed: Callable[[str], str]) -> str:
+def index_page(
+    root: Path, viewed: Callable[[str], str], questions: Mapping[str, str] | None = None
+) -> str:
     """Write the page as HTML, the latest run first.
 
     Parameters
@@ -33,78 +53,107 @@ def index_page(root: Path, viewed: Callable[[str], str]) -> str:
         Folder whose runs are listed, at any depth.
     viewed : callable
         From a recording's path below the root to the address that shows it.
+    questions : mapping of str to str, optional
+        What experiments ask, by name.
 
     Returns
     -------
     page : str
     """
-    finished, others = _runs(root)
-    experiments = sorted({run.experiment for run in finished})
-    sections = [
-        f"<h2>{escape(name)}</h2>"
-        + _table([run for run in finished if run.experiment == name], root, viewed)
-        for name in experiments
-    ]
+    finished, others = find_runs(root)
+    figures = (f"figure-{k}" for k in count())
+    sections = []
+    for name in sorted({run.experiment for run in finished}):
+        own = [run for run in finished if run.experiment == name]
+        asked = f"<p>{escape((questions or {}).get(name, ''))}</p>"
+        sections.append(f"<h2>{escape(name)}</h2>{asked}{_table(own, root, viewed, figures)}")
     sections += [
         f'<p class="dim">{escape(str(folder.relative_to(root)))} was not finished</p>'
         for folder in others
     ]
     content = "\n".join(sections) or "<p>There are no runs here yet.</p>"
+    title = escape(root.resolve().name)
     return (
-        f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(root.name)}</title>'
-        f"<style>{_STYLE}</style><h1>{escape(root.name)}</h1>{content}</html>\n"
+        f'<!doctype html><html lang="en"><head>{PAGE_HEAD}<title>{title}</title>'
+        f"<style>{_STYLE}</style></head><body><h1>{title}</h1>{content}</body></html>\n"
     )
 
 
-def _runs(root: Path) -> tuple[list[FinishedRun], list[Path]]:
-    """Finished runs, the latest first, and folders of runs that were cut off."""
-    finished, others = [], []
-    for file in root.rglob("metrics.json"):
-        try:
-            finished.append((file.stat().st_mtime, load_run(file.parent)))
-        except InputError:
-            others.append(file.parent)
-    hidden = partial(Path("run.rrd")).name
-    others += [file.parent for file in root.rglob(hidden)]
-    return [run for _, run in sorted(finished, key=lambda each: -each[0])], sorted(set(others))
-
-
-def _table(runs: Sequence[FinishedRun], root: Path, viewed: Callable[[str], str]) -> str:
+def _table(
+    runs: Sequence[FinishedRun],
+    root: Path,
+    viewed: Callable[[str], str],
+    names: Iterator[str],
+) -> str:
     """One row a run: headlines of the method that it shows, above those of the mean pose."""
-    results = {f"{k} {m}": own for k, run in enumerate(runs) for m, own in _shown(run).items()}
     from silpose.evaluation import headlines  # loads scikit-learn: only once there is a run
 
-    titles, values = headlines(results)
+    titles, values = headlines(
+        {f"{k} {method}": own for k, run in enumerate(runs) for method, own in _shown(run).items()}
+    )
     by_name = {row[0]: row[1:] for row in values}
-    head = "".join(f'<th class="word">{word}</th>' for word in ("", "run", "data", "method"))
+    settings = differing([parsed(run.config) for run in runs])
+    words = ["figure", "run", "data", "differs in", "method"]
+    if not settings[0]:
+        words.remove("differs in")
+    head = "".join(f'<th class="word">{word}</th>' for word in words)
     head += "".join(f"<th>{escape(title)}</th>" for title in titles[1:])
     rows = []
     for k, run in enumerate(runs):
         methods = list(_shown(run))
-        words = (_figure(run, root), _link(run, root, viewed), escape(run.dataset), _above(methods))
-        numbers = map(_above, zip(*(by_name[f"{k} {m}"] for m in methods), strict=True))
-        cells = "".join(f'<td class="word">{word}</td>' for word in words)
-        rows.append(f"<tr>{cells}{''.join(f'<td>{n}</td>' for n in numbers)}</tr>")
+        cells = {
+            "figure": _figure(run, root, next(names)),
+            "run": _link(run, root, viewed),
+            "data": escape(run.dataset),
+            "differs in": _in_words(settings[k]),
+            "method": _above(methods),
+        }
+        row = "".join(_cell(word, cells[word], _CLASSES.get(word, "word")) for word in words)
+        numbers = zip(*(by_name[f"{k} {method}"] for method in methods), strict=True)
+        row += "".join(map(_cell, titles[1:], map(_above, numbers)))
+        rows.append(f"<tr>{row}</tr>")
     return f"<table><tr>{head}</tr>{''.join(rows)}</table>"
 
 
-def _shown(run: FinishedRun) -> dict[str, Mapping[str, float]]:
+def _cell(title: str, content: str, kind: str = "") -> str:
+    of_kind = f' class="{kind}"' if kind else ""
+    return f'<td{of_kind} data-title="{escape(title)}">{content}</td>'
+
+
+def _shown(run: FinishedRun) -> Metrics:
     return {m: run.metrics[m] for m in (run.shown, "mean_pose") if m in run.metrics}
 
 
 def _above(words: Sequence[str]) -> str:
     """Set the first word above the others, which are dim."""
     first, *others = words or [""]
-    return escape(first) + "".join(
-        f'<br><span class="dim">{escape(word)}</span>' for word in others
-    )
+    below = "".join(f'<br><span class="dim">{escape(word)}</span>' for word in others)
+    return f"<span>{escape(first)}{below}</span>" if first or below else ""
 
 
-def _figure(run: FinishedRun, root: Path) -> str:
+def _in_words(settings: Mapping[str, object]) -> str:
+    """Write the settings in which a run differs from the others, a line each."""
+    lines = [
+        f"{escape(name)}=<wbr>{escape(typed(value))}"
+        for name, value in settings.items()
+        if value is not None
+    ]
+    if len(lines) > _MOST:
+        lines[_MOST:] = [f"and {len(lines) - _MOST} more"]
+    return f"<span>{'<br>'.join(lines)}</span>" if lines else ""
+
+
+def _figure(run: FinishedRun, root: Path, name: str) -> str:
+    """Write a small figure that becomes large on a click."""
     file = run.folder / f"{run.experiment}.png"
-    source = _below(root, file)
-    picture = f'<a href="{source}"><img src="{source}" alt="figure"></a>'
-    return picture if file.is_file() else ""
+    if not file.is_file():
+        return ""
+    words = f"figure of {escape(run.folder.name)}"
+    picture = f'<img loading="lazy" src="{_below(root, file)}" alt="{words}">'
+    return (
+        f'<button popovertarget="{name}">{picture}</button>'
+        f'<div popover id="{name}"><button popovertarget="{name}">{picture}</button></div>'
+    )
 
 
 def _link(run: FinishedRun, root: Path, viewed: Callable[[str], str]) -> str:

@@ -28,6 +28,8 @@ class RunFolder:
         Where the run's recording goes.
     keep_pictures : bool or None, default=None
         Whether pictures of people are kept; None where the source decides.
+    defaults : str, default=""
+        What the settings would be had nobody chosen any, as YAML.
     """
 
     experiment: str
@@ -36,12 +38,14 @@ class RunFolder:
     settings: str
     sinks: Sinks
     keep_pictures: bool | None = None
+    defaults: str = ""
 
     @classmethod
     def start(
         cls,
         experiment: str,
         settings: str = "",
+        defaults: str = "",
         *,
         root: str = "recordings",
         name: str | None = None,
@@ -57,6 +61,8 @@ class RunFolder:
         experiment : str
         settings : str, default=""
             The run's settings as YAML.
+        defaults : str, default=""
+            What they would be had nobody chosen any, as YAML.
         root : str, default="recordings"
             Runs go to ``<root>/<experiment>/<name>/``.
         name : str or None, default=None
@@ -77,8 +83,8 @@ class RunFolder:
             If the folder cannot be written to, or a parameter has no such value.
         """
         opened = Sinks(sinks, viewer_port, web_port)
-        if name is not None and Path(name).name != name:
-            raise InputError(f"recording.name must be the name of one folder, not '{name}'")
+        if name is not None and not _names_a_folder(name):
+            raise InputError(f"recording.name must be the name of one folder, not {name!r}")
         parent = Path(root) / experiment
         try:
             parent.mkdir(parents=True, exist_ok=True)
@@ -90,7 +96,7 @@ class RunFolder:
             raise InputError(
                 f"cannot write to '{parent}' ({error.strerror}): choose another recording.root"
             ) from error
-        return cls(experiment, folder.name, folder, settings, opened, keep_pictures)
+        return cls(experiment, folder.name, folder, settings, opened, keep_pictures, defaults)
 
     def abandon(self) -> None:
         """Remove the folder if nothing was finished in it."""
@@ -120,7 +126,13 @@ class RunFolder:
             results,
             self.sinks,
             figure,
+            self.defaults,
         )
+
+
+def _names_a_folder(name: str) -> bool:
+    """Whether a folder can have this name: not another one above, and no control characters."""
+    return bool(name) and Path(name).name == name and name != ".." and name.isprintable()
 
 
 def _new_folder(parent: Path, name: str | None) -> Path:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -17,7 +17,9 @@ from silpose.recording.viewer.process import HOST, free_port, start, viewing
 
 
 @contextmanager
-def served(folder: str | Path, port: int) -> Iterator[str]:
+def served(
+    folder: str | Path, port: int, questions: Mapping[str, str] | None = None
+) -> Iterator[str]:
     """Serve the runs of a folder while the context lasts.
 
     Two servers run: ours for the page and the files, and Rerun's own for the viewer, which fetches
@@ -27,6 +29,8 @@ def served(folder: str | Path, port: int) -> Iterator[str]:
     ----------
     folder : path
     port : int
+    questions : mapping of str to str, optional
+        What experiments ask, by name.
 
     Yields
     ------
@@ -44,7 +48,8 @@ def served(folder: str | Path, port: int) -> Iterator[str]:
     viewer_port, data_port = free_port(), free_port()
     origin = f"http://{HOST}:{viewer_port}"
     try:
-        server = ThreadingHTTPServer((HOST, port), partial(_Files, root=root, origin=origin))
+        handler = partial(_Files, root=root, origin=origin, questions=questions)
+        server = ThreadingHTTPServer((HOST, port), handler)
     except (OSError, OverflowError) as error:
         raise InputError(
             f"cannot listen on port {port} ({error}): choose another with --port"
@@ -62,15 +67,17 @@ def served(folder: str | Path, port: int) -> Iterator[str]:
         viewer.wait()
 
 
-def serve(folder: str | Path, port: int = 9090) -> None:
+def serve(folder: str | Path, port: int = 9090, questions: Mapping[str, str] | None = None) -> None:
     """Serve the runs of a folder to a browser on this machine until Ctrl-C.
 
     Parameters
     ----------
     folder : path
     port : int, default=9090
+    questions : mapping of str to str, optional
+        What experiments ask, by name.
     """
-    with served(folder, port) as address:
+    with served(folder, port, questions) as address:
         print(f"Runs of '{folder}':  {address}   (Ctrl-C ends it)", flush=True)
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # like Ctrl-C
         try:
@@ -82,8 +89,10 @@ def serve(folder: str | Path, port: int = 9090) -> None:
 class _Files(SimpleHTTPRequestHandler):
     """Answers with the page of runs at ``/``, and with the files of the runs below it."""
 
-    def __init__(self, *given: Any, root: Path, origin: str) -> None:
-        self._root, self._origin = root, origin
+    def __init__(
+        self, *given: Any, root: Path, origin: str, questions: Mapping[str, str] | None
+    ) -> None:
+        self._root, self._origin, self._questions = root, origin, questions
         super().__init__(*given, directory=str(root))
 
     def do_GET(self) -> None:
@@ -95,7 +104,9 @@ class _Files(SimpleHTTPRequestHandler):
             super().do_GET()
         else:
             content = index_page(
-                self._root, lambda path: viewing(self._origin, f"http://{here}/{path}")
+                self._root,
+                lambda path: viewing(self._origin, f"http://{here}/{path}"),
+                self._questions,
             ).encode()
             self.send_response(200)
             self.send_header("Content-Type", "text/html; charset=utf-8")

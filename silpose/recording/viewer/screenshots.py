@@ -17,7 +17,8 @@ from rerun.experimental import ViewerClient
 
 from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
-from silpose.recording.read import reader
+from silpose.recording.plain_frames import PlainFrames
+from silpose.recording.read import frames_of, reader
 from silpose.recording.viewer.process import HOST, free_port, start
 
 _DRAWN = 0.5  # seconds until a first picture is complete
@@ -44,12 +45,14 @@ def picture(
     Raises
     ------
     InputError
-        If the recording cannot be read, no view has that title, or there is no Vulkan driver.
+        If the recording cannot be read, it has no such frame, no view has that title, or there is
+        no Vulkan driver.
 
     See Also
     --------
     film : Several frames as GIF or MP4.
     """
+    _check_frames(recording, [frame])
     with writing(Path(path)) as aside, _shots(recording, view, width) as shoot:
         aside.write_bytes(shoot(frame))
 
@@ -61,6 +64,7 @@ def film(
     view: str | None = None,
     width: int = 900,
     frames_per_second: float = 15.0,
+    plain: bool = False,
 ) -> None:
     """Write a film of several frames, as an animated GIF or as MP4.
 
@@ -75,26 +79,46 @@ def film(
     width : int, default=900
         Pixels.
     frames_per_second : float, default=15
+    plain : bool, default=False
+        Whether to draw mask, pose on the mask, and pose in 3D side by side instead of the viewer;
+        this needs no driver.
 
     Raises
     ------
     InputError
-        As `picture`, and if there is no frame or the path has another ending.
+        As `picture`, and if there is no frame, the path has another ending, or a view is asked of
+        a plain film.
     """
     path, frames = Path(path), list(frames)
     if not frames:
         raise InputError("a film needs at least one frame")
     if path.suffix not in (".gif", ".mp4"):
         raise InputError(f"'{path}' must end in .gif or .mp4")
+    if plain and view is not None:
+        raise InputError("a plain film has no views: leave out either")
+    _check_frames(recording, frames)
     write = _write_mp4 if path.suffix == ".mp4" else _write_gif
     with writing(path) as aside:
-        with _shots(recording, view, width) as shoot:
-            images = [_decoded(shoot(frame)) for frame in frames]
+        if plain:
+            images = PlainFrames.read(recording).film(frames, width)
+        else:
+            with _shots(recording, view, width) as shoot:
+                images = [_decoded(shoot(frame)) for frame in frames]
         write(aside, images, frames_per_second)
 
 
+def _check_frames(recording: str | Path, frames: Sequence[int]) -> None:
+    """Refuse frames that a recording does not have; without any it looks as at its frame 0."""
+    there = frames_of(recording) or range(1)
+    if missing := [frame for frame in frames if frame not in there]:
+        has = f"they are {there[0]} to {there[-1]}" if len(there) > 1 else f"only {there[0]}"
+        raise InputError(f"'{recording}' has no frame {missing[0]}: {has}")
+
+
 def _decoded(png: bytes) -> NDArray[np.uint8]:
-    return np.asarray(cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR), np.uint8)
+    """Red, green and blue of a PNG, shape (H, W, 3)."""
+    image = cv2.imdecode(np.frombuffer(png, np.uint8), cv2.IMREAD_COLOR)
+    return np.ascontiguousarray(np.asarray(image, np.uint8)[..., ::-1])
 
 
 def _write_mp4(path: Path, images: Sequence[NDArray[Any]], frames_per_second: float) -> None:
@@ -102,16 +126,17 @@ def _write_mp4(path: Path, images: Sequence[NDArray[Any]], frames_per_second: fl
     fourcc = cv2.VideoWriter.fourcc(*"mp4v")
     writer = cv2.VideoWriter(str(path), fourcc, frames_per_second, (width, height))
     for image in images:
-        writer.write(image)
+        writer.write(cv2.cvtColor(image, cv2.COLOR_RGB2BGR))
     writer.release()
 
 
 def _write_gif(path: Path, images: Sequence[NDArray[Any]], frames_per_second: float) -> None:
     from PIL import Image
 
-    first, *others = (Image.fromarray(image[..., ::-1]) for image in images)
-    duration = 1000 / frames_per_second
-    first.save(path, save_all=True, append_images=others, duration=duration, loop=0)
+    first, *others = map(Image.fromarray, images)
+    ends = np.rint(100 / frames_per_second * np.arange(len(images) + 1))  # a GIF's clock ticks so
+    durations = (10 * np.diff(ends)).astype(int).tolist()
+    first.save(path, save_all=True, append_images=others, duration=durations, loop=0)
 
 
 @contextmanager
@@ -148,7 +173,7 @@ def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]
         if view is not None:
             options["view_id"] = _view(viewer.get_state().views, view)
 
-        timed = any("frame" in chunk.timeline_names for chunk in reader(recording).stream())
+        timed = bool(frames_of(recording))
 
         def shoot(frame: int) -> bytes:
             if timed:

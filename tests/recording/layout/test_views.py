@@ -2,7 +2,7 @@ import pytest
 
 from silpose.recording import Header
 from silpose.recording import entity_paths as entities
-from silpose.recording.layout.views import blueprint, figure_view, texts_view
+from silpose.recording.layout.views import blueprint, errors_view, figure_view, texts_view
 from silpose.recording.stream import recording_stream
 
 
@@ -17,6 +17,14 @@ def test_settings_and_figures_that_are_missing_take_no_space(tmp_path, settings,
     assert figure.visible is False
 
 
-def test_influential_examples_stand_between_results_and_settings():
-    origins = [view.origin for view in texts_view(examples=True).contents]
-    assert origins == [entities.METRICS, entities.INFLUENTIAL_EXAMPLES, entities.SETTINGS]
+def test_influential_examples_stand_below_results_with_settings_behind_these():
+    texts, examples = texts_view(examples=True).contents
+    assert examples.origin == entities.INFLUENTIAL_EXAMPLES
+    assert [view.origin for view in texts.contents] == [entities.METRICS, entities.SETTINGS]
+    assert texts.active_tab == 0
+
+
+def test_titles_say_which_colour_is_what():
+    title = errors_view("mean_angular_error_deg", ["rvm", "nearest"], "rvm").name
+    words = "relevance vectors (vermilion), nearest neighbour (green)"
+    assert title == f"mean angular error, degrees: {words}"

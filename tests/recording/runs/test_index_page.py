@@ -22,7 +22,22 @@ def test_runs_are_listed_with_their_headlines(root, finished):
     for method in ("rvm_20", "mean_pose"):
         assert page.count(f"{finished.metrics[method]['mean_angular_error_deg']:.2f}°") == 2
     assert "single_image/killed was not finished" in page
-    assert page.count("<img") == 2
+    assert page.count("<button popovertarget") == 4  # a small and a large figure of each run
+
+
+def test_what_differs_and_what_is_asked_is_told(root):
+    config = root / "single_image" / "<bare>" / "config.yaml"
+    config.write_text(config.read_text().replace("\ndebug: false", "\ndebug: true"))
+    page = index_page(root, str, {"single_image": "Which pose?"})
+    assert "Which pose?" in page and "debug=<wbr>true" in page and "debug=<wbr>false" in page
+    assert "width=device-width" in page
+
+
+def test_runs_without_figures_or_differences_have_none(root):
+    for figure in root.rglob("*.png"):
+        figure.unlink()
+    page = index_page(root, str)
+    assert "<img" not in page and "differs in" not in page
 
 
 def test_only_a_run_with_a_recording_is_a_link(root):

@@ -1,4 +1,4 @@
-from silpose.recording.runs.setting_differences import differing
+from silpose.recording.runs.setting_differences import differing, parsed
 
 
 def test_only_what_differs_is_kept():
@@ -10,3 +10,16 @@ def test_only_what_differs_is_kept():
     ]
     assert differing([first, first]) == [{}, {}]
     assert differing([]) == []
+
+
+def test_seeds_that_follow_the_runs_seed_are_no_difference():
+    runs = [
+        {"seed": k, "motion": {"seed": k}, "rvm": {"random_state": k}, "scenes": {"seed": 5 - k}}
+        for k in range(2)
+    ]
+    assert differing(runs) == [{"seed": 0, "scenes.seed": 5}, {"seed": 1, "scenes.seed": 4}]
+
+
+def test_settings_that_are_no_yaml_are_empty():
+    assert parsed("seed: 3") == {"seed": 3}
+    assert parsed("{") == {}

@@ -27,6 +27,10 @@ def test_what_cannot_be_drawn_is_named(finished, tmp_path, drawing):
         picture(finished.recording, 0, tmp_path / "no.png", view="foo")
     with pytest.raises(InputError, match=r"end in \.gif or \.mp4"):
         film(finished.recording, [0], tmp_path / "f.avi")
+    with pytest.raises(InputError, match=r"has no frame 5000: they are 0 to \d+"):
+        picture(finished.recording, 5000, tmp_path / "no.png")
+    with pytest.raises(InputError, match="has no frame -1"):
+        film(finished.recording, [0, -1], tmp_path / "f.gif")
     with pytest.raises(InputError, match="one frame"):
         film(finished.recording, [], tmp_path / "f.gif")
 

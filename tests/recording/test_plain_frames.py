@@ -1,0 +1,58 @@
+import io
+
+import cv2
+import numpy as np
+import pytest
+from PIL import Image
+
+from silpose.core.errors import InputError
+from silpose.recording import Header, film, record_study
+from silpose.recording.plain_frames import PlainFrames
+from silpose.recording.read import read_masks
+
+
+@pytest.fixture(scope="module")
+def frames(finished):
+    return PlainFrames.read(finished.recording)
+
+
+def test_masks_come_back_as_they_were(finished, frames):
+    masks = read_masks(finished.recording)
+    assert list(masks) == list(range(len(frames))) == list(range(45))
+    assert masks[0].shape == (96, 96) and set(np.unique(masks[0])) == {0, 1}
+
+
+def test_three_panels_stand_side_by_side(frames):
+    one, other = frames.film([0, 20], width=300)
+    assert one.shape == other.shape == (100, 300, 3)
+    for panel in range(3):
+        own = slice(100 * panel, 100 * (panel + 1))
+        assert one[:, own].std() > 5
+        assert (one[:, own] != other[:, own]).any()
+
+
+def test_a_still_has_a_column_for_each_frame(frames):
+    picture = Image.open(io.BytesIO(frames.still(count=4, size=50)))
+    assert picture.size == (200, 150)
+
+
+def test_a_plain_film_needs_no_driver_and_keeps_the_speed(finished, tmp_path):
+    path = tmp_path / "film.gif"
+    film(finished.recording, range(15), path, width=150, frames_per_second=15, plain=True)
+    with Image.open(path) as gif:
+        durations = []
+        for frame in range(gif.n_frames):
+            gif.seek(frame)
+            durations.append(gif.info["duration"])
+    assert sum(durations) == 1000
+    film(finished.recording, [0, 1], tmp_path / "film.mp4", width=150, plain=True)
+    assert int(cv2.VideoCapture(str(tmp_path / "film.mp4")).get(cv2.CAP_PROP_FRAME_COUNT)) == 2
+    with pytest.raises(InputError, match="a plain film has no views"):
+        film(finished.recording, [0], path, view="mask", plain=True)
+
+
+def test_a_recording_without_masks_and_poses_is_refused(tmp_path):
+    header = Header("study", "test", tmp_path / "run.rrd", "words")
+    record_study(header, {"error": np.ones(3)}, "error", 15.0)
+    with pytest.raises(InputError, match="neither masks nor poses"):
+        PlainFrames.read(header.file)
