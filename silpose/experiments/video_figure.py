@@ -21,8 +21,8 @@ _COLUMNS = 10
 _NARROW = 0.8  # width of a panel over its height
 _MARGIN = 0.62  # half of a panel's height, in heights of the person
 _PIXELS = 240  # height of a panel
-_SURE, _DOUBTFUL = palette.ESTIMATED, palette.RED_ON_WHITE
-_MASK, _OUTLINE = palette.hexed(palette.TRUE_ON_WHITE), palette.hexed(palette.EDGE)
+_SURE, _DOUBTFUL = palette.ESTIMATED, palette.DOUBTFUL
+_MASK, _OUTLINE = palette.hexed(palette.TRUE), palette.hexed(palette.EDGE)
 
 
 @dataclass(frozen=True, eq=False)

@@ -57,9 +57,7 @@ def video_model(components: Components, given: str | None, folder: str | None) -
                 "out model=…"
             )
         # Of a film's camera nothing is known, whatever was known of those in training.
-        options = components.fitting
-        body = replace(model.fitter.fitter, camera_is=options.camera, shape_is=options.shape)
-        own = replace(model, fitter=replace(model.fitter, fitter=body))
+        own = replace(model, fitter=model.fitter.with_options(components.fitting))
         return VideoModel(own, f"model '{given}'", given)
     cache = ModelCache.of(components.trained_by(), folder)
     with stage("model"):

@@ -11,7 +11,7 @@ from silpose.fitting.geometry import Geometry
 from silpose.fitting.kinematics import pose_tree
 from silpose.fitting.outline import project
 from silpose.fitting.parameters import ANGLES, LOG_SCALE, SHIFT_X, SHIFT_Y, seen_by, shaped_by
-from silpose.fitting.view import View, projected
+from silpose.fitting.view import View
 from silpose.silhouette import fill_pieces
 
 

@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 _QUALITY = 80  # of pictures, percent
 # Colours of background and person, and how opaque they are, 0 to 255.
-_TINTED = (palette.BACKGROUND, palette.TRUE), (0, 70)
-_ALONE = (palette.BACKGROUND, palette.MASK), (255, 255)
+_TINTED = (palette.TRUE, palette.TRUE), (0, 70)
+_ALONE = (palette.MASK, palette.MASK), (0, 255)
 MaskColours = tuple[tuple[palette.Colour, palette.Colour], tuple[int, int]]
 
 

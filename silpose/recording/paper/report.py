@@ -62,9 +62,9 @@ class PaperReport:
 
     def _words(self, claim: Claim) -> dict[str, object]:
         own = {
-            protocol: by_name[claim.experiment]
+            protocol: found
             for protocol, by_name in self.found.items()
-            if claim.experiment in by_name
+            if (found := by_name.get(claim.experiment or "")) is not None
         }
         ours = {protocol: words for protocol, f in own.items() if (words := _ours(claim, f))}
         first = next((own[protocol] for protocol in ours), None if claim.ours else _any(own))
