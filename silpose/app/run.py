@@ -71,10 +71,15 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
     text = OmegaConf.to_yaml(settings, resolve=True)
     folder = build("recording", given["recording"], experiment=name, settings=text)
     try:
-        with timing() as seconds, parallel_config(n_jobs=options.n_jobs):
+        with folder.claimed(), timing() as seconds, parallel_config(n_jobs=options.n_jobs):
             result = job()
             write_result(folder, result, options.seed, seconds)
-    except BaseException:
-        folder.abandon()
+    except KeyboardInterrupt:
+        folder.abandon(keep=False)
+        raise
+    except BaseException as error:
+        kept = folder.abandon()
+        if kept and isinstance(error, InputError):
+            raise InputError(f"{error}; '{folder.folder}' keeps {', '.join(kept)}") from error
         raise
     return load_run(folder.folder)

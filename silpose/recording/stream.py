@@ -5,6 +5,8 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import numpy as np
@@ -12,11 +14,14 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from silpose.core.atomic_files import writing
+from silpose.core.errors import InputError
 from silpose.recording import entity_paths
 from silpose.recording.header import Header
 from silpose.recording.layout import hide
+from silpose.recording.read import reader
 from silpose.recording.viewer.live import connect
 
+_STILL = 10.0  # seconds without a byte after which a file counts as given up
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
 
 
@@ -25,7 +30,13 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
     """Open a recording that goes where its header says; its file is complete at the end.
 
     A viewer that is closed meanwhile is a warning. The file is written in any case, so that
-    nothing is lost then, and deleted at the end if it was not asked for.
+    nothing is lost then, and deleted at the end if it was not asked for. It gets its name once it
+    has been read back.
+
+    Raises
+    ------
+    InputError
+        If the file could not be written whole.
     """
     # A stream of its own: rr.init would give all jobs of one process the same recording id. Runs
     # of one experiment share a layout in the viewer, as one application's recordings do.
@@ -43,14 +54,23 @@ def recording_stream(header: Header, layout: rrb.Blueprint) -> Iterator[rr.Recor
     kinds = header.sinks.kinds if header.sinks else ("file",)
     with writing(header.file) as path:
         live = connect(recording, header, layout)
-        recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
+        try:
+            recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
+        except RuntimeError as error:
+            raise _not_whole(header.file, path) from error
         recording.set_log_time_enabled(False)  # the same run gives the same recording
         _send_header(recording, header)
         try:
             yield recording
-            delivered = _delivered(recording, header)
+            delivered = not live or _delivered(recording)
         finally:
-            recording.disconnect()
+            _close(recording, path)
+        _read_back(path, header.file)
+    if not delivered:
+        warnings.warn(
+            f"the viewer was closed before the end of the run; '{header.file}' is complete",
+            stacklevel=2,
+        )
     shown = delivered and len(live) == len({*kinds} - {"file"})
     if shown and "file" not in kinds:
         header.file.unlink()
@@ -76,14 +96,34 @@ def _send_header(recording: rr.RecordingStream, header: Header) -> None:
         recording.log(entity, text, static=True)
 
 
-def _delivered(recording: rr.RecordingStream, header: Header) -> bool:
-    """Whether the viewers got everything; the file has it in any case."""
+def _delivered(recording: rr.RecordingStream) -> bool:
+    """Whether the viewers got everything; what the file got is seen when it is read back."""
     try:
         recording.flush(timeout_sec=_GONE)
     except RuntimeError:
-        warnings.warn(
-            f"the viewer was closed before the end of the run; '{header.file}' is complete",
-            stacklevel=2,
-        )
         return False
     return True
+
+
+def _close(recording: rr.RecordingStream, file: Path) -> None:
+    """Finish the file; after a write that failed, Rerun may wait for ever though nothing comes."""
+    closing = Thread(target=recording.disconnect, daemon=True)
+    closing.start()
+    size = -1
+    while closing.is_alive() and size != (size := file.stat().st_size):
+        closing.join(_STILL)
+
+
+def _read_back(written: Path, file: Path) -> None:
+    """Refuse a recording without its end: Rerun goes on after a write that failed."""
+    try:
+        reader(written)
+    except InputError as error:
+        raise _not_whole(file, written) from error
+
+
+def _not_whole(file: Path, written: Path) -> InputError:
+    return InputError(
+        f"cannot write '{file}' whole ({written.stat().st_size / 1e6:.1f} MB were written): "
+        "free some space, or choose another recording.root"
+    )

@@ -7,7 +7,7 @@ from html import escape
 from pathlib import Path
 from urllib.parse import quote
 
-from silpose.core.atomic_files import partial
+from silpose.core.atomic_files import unfinished_pattern
 from silpose.core.errors import InputError
 from silpose.recording.runs.finished_run import FinishedRun, load_run
 
@@ -64,8 +64,7 @@ def _runs(root: Path) -> tuple[list[FinishedRun], list[Path]]:
             finished.append((file.stat().st_mtime, load_run(file.parent)))
         except InputError:
             others.append(file.parent)
-    hidden = partial(Path("run.rrd")).name
-    others += [file.parent for file in root.rglob(hidden)]
+    others += [file.parent for file in root.rglob(unfinished_pattern(Path("run.rrd")))]
     return [run for _, run in sorted(finished, key=lambda each: -each[0])], sorted(set(others))
 
 
