@@ -6,6 +6,7 @@ from pathlib import Path
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the tests themselves run side by side
 
 import cv2
+import hypothesis
 import pytest
 from synthetic import motion
 
@@ -14,6 +15,8 @@ from silpose.dataset import render_take
 from silpose.silhouette import Body, Camera
 
 os.environ.setdefault("RERUN_STRICT", "1")  # a wrong call is an error, not a warning
+
+hypothesis.settings.register_profile("long", max_examples=10_000, deadline=None)
 
 PROJECT = Path(__file__).parents[1]
 

@@ -12,6 +12,7 @@ from omegaconf import DictConfig
 
 from silpose.app.conf_folder import config_folder
 from silpose.app.config import check_overrides, explain
+from silpose.app.failures import sentence
 from silpose.app.schema import register
 from silpose.core.errors import InputError
 from silpose.core.stages import stage
@@ -29,8 +30,6 @@ def run_job() -> None:
 
 def _job(settings: DictConfig) -> float | None:
     """Run an experiment; the number is what a sweep minimises."""
-    from silpose.app.main import sentence
-
     in_sweep = HydraConfig.get().mode == RunMode.MULTIRUN
     try:
         overrides = HydraConfig.get().overrides.task

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Sequence
 
 from silpose.app.commands import TOOLS, run_tool
+from silpose.app.failures import INTERRUPTED, print_anywhere, sentence, stop_quietly
 from silpose.app.suggestions import nearest
 from silpose.app.verbs import EXPERIMENT_VERBS, help_text, overrides_of, verb_help
 from silpose.core.errors import InputError
@@ -18,8 +19,15 @@ def main() -> None:
     """Run ``silpose`` from the command line; what goes wrong is one sentence."""
     os.environ["HYDRA_FULL_ERROR"] = "1"  # so that Hydra leaves its errors to us
     warnings.showwarning = lambda message, *_: print(f"silpose: {message}", file=sys.stderr)
+    print_anywhere()
     try:
         _run(sys.argv[1:])
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        print("silpose: interrupted", file=sys.stderr)
+        raise SystemExit(INTERRUPTED) from None
+    except BrokenPipeError:
+        stop_quietly()
     except Exception as error:
         if "debug=true" in sys.argv:
             raise
@@ -63,14 +71,6 @@ def _run_hydra(arguments: Sequence[str]) -> None:
         sys.argv[1:] = [*options, *overrides]  # where Hydra reads them, in this order only
         run_job()
         go_on_showing()
-
-
-def sentence(error: Exception) -> str:
-    """Say in one sentence what went wrong."""
-    if isinstance(error, InputError):
-        return f"silpose: {error}"
-    kind = type(error).__name__
-    return f"silpose: unexpected {kind}: {error} (debug=true shows where it comes from)"
 
 
 if __name__ == "__main__":

@@ -79,11 +79,21 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
     )
     try:
         job = prepared(components=replace(components, run=folder))
-        with timing() as seconds, parallel_config(n_jobs=options.n_jobs), _one_blas_thread():
+        with (
+            folder.claimed(),
+            timing() as seconds,
+            parallel_config(n_jobs=options.n_jobs),
+            _one_blas_thread(),
+        ):
             result = job()
             write_result(folder, result, options.seed, seconds)
-    except BaseException:
-        folder.abandon()
+    except KeyboardInterrupt:
+        folder.abandon(keep=False)
+        raise
+    except BaseException as error:
+        kept = folder.abandon()
+        if kept and isinstance(error, InputError):
+            raise InputError(f"{error}; '{folder.folder}' keeps {', '.join(kept)}") from error
         raise
     return load_run(folder.folder)
 

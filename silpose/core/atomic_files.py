@@ -2,47 +2,78 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import errno
+import os
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from silpose.core.errors import InputError
 
+_FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
+_NOT_WRITTEN = (*_FULL, errno.EIO, errno.EROFS)
 
-def partial(path: Path) -> Path:
-    """Path of a file while it is being written: beside it, hidden, with the same ending."""
-    return path.with_name(f".{path.stem}.partial{path.suffix}")
+
+def unfinished_pattern(path: Path) -> str:
+    """Give the pattern of names that a file has while it is being written."""
+    return f".{path.stem}.*partial{path.suffix}"
+
+
+def unfinished(path: Path) -> list[Path]:
+    """Find what is left of a file whose writing was cut off, the latest first."""
+    found = path.parent.glob(unfinished_pattern(path))
+    return sorted(found, key=lambda file: -file.stat().st_mtime)
 
 
 @contextmanager
-def writing(path: Path) -> Iterator[Path]:
-    """Write a file under a temporary name, and rename it at the end.
+def writing(path: Path, check: Callable[[Path], object] | None = None) -> Iterator[Path]:
+    """Write a file under a temporary name, and rename it once it is on the disk.
 
     Parameters
     ----------
     path : Path
         What was there before stays as it is if writing fails.
+    check : callable, optional
+        Reads the written file back before it gets its name, and raises what is wrong with it.
 
     Yields
     ------
     temporary : Path
-        Where to write to.
+        Where to write to: beside it, hidden, with the same ending, and of this process alone.
 
     Raises
     ------
     InputError
-        If nothing can be written there.
+        If nothing can be written there, or not all of it.
     """
-    temporary = partial(path)
+    temporary = path.with_name(f".{path.stem}.{os.getpid()}.partial{path.suffix}")
     try:
         temporary.touch()
     except OSError as error:
-        raise InputError(
-            f"cannot write '{path}' ({error.strerror}): choose another place"
-        ) from error
+        raise not_written(path, error) from error
     try:
         yield temporary
-    except BaseException:
+        _to_disk(temporary)
+        if check is not None:
+            check(temporary)
+        temporary.replace(path)
+    except BaseException as error:
         temporary.unlink(missing_ok=True)
+        # Some writers, such as Pillow's, give an error without a number when the disk is full.
+        if type(error) is OSError and error.errno in (None, *_NOT_WRITTEN):
+            raise not_written(path, error) from error
         raise
-    temporary.replace(path)
+
+
+def not_written(path: Path, error: OSError) -> InputError:
+    """Give the error that a file could not be written, with what to do."""
+    remedy = "choose another place"
+    if error.errno in _FULL:
+        remedy = f"free some space, or {remedy}"
+    return InputError(f"cannot write '{path}' ({error.strerror or error}): {remedy}")
+
+
+def _to_disk(path: Path) -> None:
+    """Wait until a file is on the disk: some file systems say only then that they are full."""
+    with path.open("rb+") as file:
+        os.fsync(file.fileno())

@@ -9,6 +9,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from silpose.core.array_files import read_npz
 from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
 from silpose.core.types import Array
@@ -61,11 +62,10 @@ class DescriptorCache:
         if not self.file.is_file():
             return None
         try:
-            with np.load(self.file, allow_pickle=False) as stored:
-                arrays = dict(stored)
-        except (OSError, ValueError) as error:
+            arrays = read_npz(self.file)
+            z = arrays.pop("z")
+        except (KeyError, ValueError) as error:
             raise InputError(f"'{self.file}' is damaged ({error}): remove it") from error
-        z = arrays.pop("z")
         if len(z) != sum(lengths):
             return None
         descriptor = ShapeContextHistogram.from_arrays(arrays)

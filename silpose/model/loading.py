@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
+from silpose.core.errors import InputError
 from silpose.core.pose_space import SPACES
-from silpose.core.serialisation import without_prefix
+from silpose.core.serialisation import State, without_prefix
 from silpose.descriptor import ShapeContextHistogram
 from silpose.model.confidence import Confidence
 from silpose.model.model_file import read_model_file
@@ -26,9 +29,18 @@ def load(path: str | Path) -> PoseModel:
     Raises
     ------
     InputError
-        If there is no such file, or it is no model, or one of another format.
+        If there is no such file, or it is no model, or one of another format, or damaged.
     """
     header, state = read_model_file(path)
+    try:
+        return _model(header, state)
+    except InputError:
+        raise
+    except (KeyError, ValueError, TypeError, AttributeError, IndexError) as error:
+        raise InputError(f"'{path}' holds no model that silpose can use: train it again") from error
+
+
+def _model(header: Mapping[str, Any], state: State) -> PoseModel:
     descriptor, regressor, tracker, fitter, confidence = (
         without_prefix(part, state) for part in PARTS
     )

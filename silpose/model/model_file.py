@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from collections.abc import Mapping
 from hashlib import sha256
 from importlib.metadata import version
@@ -11,12 +10,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from silpose.core.array_files import read_npz
 from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
 from silpose.core.serialisation import State
 
-FORMAT = 6
+FORMAT = 7
 _LARGE = 1000  # numbers from which an array is not written twice
 
 
@@ -32,9 +33,10 @@ def write_model_file(path: str | Path, header: Mapping[str, object], state: Stat
         Arrays, numbers and strings by name.
     """
     arrays, same_as = _distinct(state)
-    own = {"format": FORMAT, "silpose": version("silpose"), "same_as": same_as}
-    arrays["header"] = np.array(json.dumps(own | dict(header)))
-    with writing(Path(path)) as partial, partial.open("wb") as file:
+    whole = {"format": FORMAT, "silpose": version("silpose"), "same_as": same_as, **header}
+    whole["digest"] = _digest(whole, arrays)
+    arrays["header"] = np.array(json.dumps(whole))
+    with writing(Path(path), check=read_model_file) as partial, partial.open("wb") as file:
         np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
 
 
@@ -54,7 +56,8 @@ def read_model_file(path: str | Path) -> tuple[dict[str, Any], State]:
     Raises
     ------
     InputError
-        If there is no such file, or it is no model, or one of another format.
+        If there is no such file, or it is no model, or one of another format, or not as it was
+        written.
     """
     path = Path(path)
     if path.is_dir():
@@ -62,17 +65,35 @@ def read_model_file(path: str | Path) -> tuple[dict[str, Any], State]:
     if not path.is_file():
         raise InputError(f"there is no model '{path}': give a run's model.npz")
     try:
-        with np.load(path, allow_pickle=False) as file:
-            arrays: State = dict(file)
+        arrays: State = read_npz(path)
         header = json.loads(str(arrays.pop("header")))
-    except (ValueError, OSError, EOFError, KeyError, zipfile.BadZipFile) as error:
-        raise InputError(f"'{path}' is no silpose model: give a run's model.npz") from error
+        written_by = f"format {header['format']} of silpose {header['silpose']}"
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise InputError(
+            f"'{path}' is no silpose model, or damaged ({error}): give a run's model.npz"
+        ) from error
     if header["format"] != FORMAT:
         raise InputError(
-            f"'{path}' has format {header['format']} of silpose {header['silpose']}; "
-            f"this version reads format {FORMAT}: train the model again"
+            f"'{path}' has {written_by}; this version reads format {FORMAT}: train the model again"
+        )
+    if header.pop("digest", None) != _digest(header, arrays):
+        raise InputError(
+            f"'{path}' is damaged, or was changed after it was written: copy it again, or train "
+            "the model again"
         )
     return header, arrays | {name: arrays[other] for name, other in header["same_as"].items()}
+
+
+def _digest(header: Mapping[str, object], arrays: State) -> str:
+    """Digest of all that a file holds: swapped, changed or missing arrays give another one."""
+    digest = sha256(json.dumps(header, sort_keys=True).encode())
+    for name in sorted(arrays):
+        digest.update(repr((name, *_identity(np.asarray(arrays[name])))).encode())
+    return digest.hexdigest()
+
+
+def _identity(array: NDArray[Any]) -> tuple[object, ...]:
+    return array.dtype.str, array.shape, sha256(array.tobytes()).digest()
 
 
 def _distinct(state: State) -> tuple[State, dict[str, str]]:
@@ -85,7 +106,7 @@ def _distinct(state: State) -> tuple[State, dict[str, str]]:
     same_as: dict[str, str] = {}
     for name, value in state.items():
         array = np.asarray(value)
-        key = array.dtype.str, array.shape, sha256(array.tobytes()).digest()
+        key = _identity(array)
         if array.size >= _LARGE and key in first:
             same_as[name] = first[key]
         else:

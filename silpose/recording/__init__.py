@@ -94,8 +94,8 @@ _RECORDERS = {
     "record_video": "video",
 }
 
-# Rerun reports a viewer that was closed in several lines; here it is one warning.
-os.environ.setdefault("RUST_LOG", "warn,re_grpc_client=off,re_sdk=off")
+# Rerun reports a viewer that was closed, or a full disk, in lines of its own; here it is one.
+os.environ.setdefault("RUST_LOG", "warn,re_grpc_client=off,re_sdk=off,re_log_encoding=off")
 
 _exported = lazy_exports(__name__, _EXPORTS)
 

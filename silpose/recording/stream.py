@@ -6,6 +6,8 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import numpy as np
@@ -13,12 +15,15 @@ import rerun as rr
 import rerun.blueprint as rrb
 
 from silpose.core.atomic_files import writing
+from silpose.core.errors import InputError
 from silpose.recording import entity_paths
 from silpose.recording.header import Header
 from silpose.recording.layout import hide
+from silpose.recording.read import reader
 from silpose.recording.viewer.live import connect
 
 _SHOWN, _WRITTEN = 0.03, 10.0  # seconds for which rows are gathered live
+_STILL = 10.0  # seconds without a byte after which a file counts as given up
 _GONE = 30.0  # seconds without an answer after which a viewer counts as closed
 
 
@@ -29,8 +34,13 @@ def recording_stream(
     """Open a recording that goes where its header says; its file is complete at the end.
 
     A viewer that is closed meanwhile is a warning. The file is written in any case, so that
-    nothing is lost then, and deleted at the end if it was not asked for. Rows are `gathered` for
-    so many seconds at most.
+    nothing is lost then, and deleted at the end if it was not asked for. It gets its name once it
+    has been read back. Rows are `gathered` for so many seconds at most.
+
+    Raises
+    ------
+    InputError
+        If the file could not be written whole.
     """
     recording = _open(header, gathered)
     if not header.settings:
@@ -40,13 +50,19 @@ def recording_stream(
     kinds = header.sinks.kinds if header.sinks else ("file",)
     with writing(header.file) as path:
         live = connect(recording, header, layout)
-        recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
+        try:
+            recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
+        except RuntimeError as error:
+            raise _not_whole(header.file, path) from error
         send_header(recording, header)
         try:
             yield recording
-            delivered = _delivered(recording, header)
+            delivered = not live or _delivered(recording)
         finally:
-            recording.disconnect()
+            _close(recording, path)
+        _read_back(path, header.file)
+    if not delivered:
+        _warn_of_closed_viewer(header)
     shown = delivered and len(live) == len({*kinds} - {"file"})
     if shown and "file" not in kinds:
         header.file.unlink()
@@ -67,9 +83,11 @@ def live_stream(header: Header, layout: rrb.Blueprint) -> Iterator[FanOut]:
             send_header(shown, header)
         try:
             yield FanOut([written, shown] if viewers else [written])
-            delivered = not viewers or _delivered(shown, header)
+            delivered = not viewers or _delivered(shown)
         finally:
             shown.disconnect()
+    if not delivered:
+        _warn_of_closed_viewer(header)
     if delivered and "file" not in kinds and len(viewers) == len(kinds):
         header.file.unlink()
 
@@ -129,14 +147,41 @@ def send_header(recording: rr.RecordingStream | FanOut, header: Header) -> None:
         recording.log(entity, text, static=True)
 
 
-def _delivered(recording: rr.RecordingStream, header: Header) -> bool:
-    """Whether the viewers got everything; the file has it in any case."""
+def _delivered(recording: rr.RecordingStream) -> bool:
+    """Whether the viewers got everything; what the file got is seen when it is read back."""
     try:
         recording.flush(timeout_sec=_GONE)
     except RuntimeError:
-        warnings.warn(
-            f"the viewer was closed before the end of the run; '{header.file}' is complete",
-            stacklevel=2,
-        )
         return False
     return True
+
+
+def _warn_of_closed_viewer(header: Header) -> None:
+    warnings.warn(
+        f"the viewer was closed before the end of the run; '{header.file}' is complete",
+        stacklevel=4,
+    )
+
+
+def _close(recording: rr.RecordingStream, file: Path) -> None:
+    """Finish the file; after a write that failed, Rerun may wait for ever though nothing comes."""
+    closing = Thread(target=recording.disconnect, daemon=True)
+    closing.start()
+    size = -1
+    while closing.is_alive() and size != (size := file.stat().st_size):
+        closing.join(_STILL)
+
+
+def _read_back(written: Path, file: Path) -> None:
+    """Refuse a recording without its end: Rerun goes on after a write that failed."""
+    try:
+        reader(written)
+    except InputError as error:
+        raise _not_whole(file, written) from error
+
+
+def _not_whole(file: Path, written: Path) -> InputError:
+    return InputError(
+        f"cannot write '{file}' whole ({written.stat().st_size / 1e6:.1f} MB were written): "
+        "free some space, or choose another recording.root"
+    )

@@ -3,6 +3,7 @@ from itertools import product
 import pytest
 from omegaconf import OmegaConf
 
+from silpose.app.build import build
 from silpose.app.conf_folder import groups
 from silpose.app.config import choices, load, plain
 from silpose.core.errors import InputError
@@ -88,3 +89,13 @@ def test_usual_names_of_joints_need_no_quotes():
     settings = plain(load(["motion=bvh", f"motion.joints={usual}"]))
     names = ["Bip01 L Thigh", "mixamorig:Hips", "DEF-thigh.L.001", "a|b", "01"]
     assert settings["motion"]["joints"] == {"neck": names}
+
+
+@pytest.mark.parametrize("group", ["regression", "regression.ridge", "silhouette.camera"])
+def test_settings_build_nothing_but_our_own_classes(group, tmp_path):
+    trace = tmp_path / "run"
+    with pytest.raises(InputError, match="no setting"):
+        load([f"+{group}._target_=os.system", f"+{group}.command='touch {trace}'"])
+    with pytest.raises(InputError, match="no setting"):
+        build(group, {"_target_": "os.system", "command": f"touch {trace}"})
+    assert not trace.exists()

@@ -1,6 +1,8 @@
+import errno
+
 import pytest
 
-from silpose.core.atomic_files import writing
+from silpose.core.atomic_files import unfinished, writing
 from silpose.core.errors import InputError
 
 
@@ -25,3 +27,32 @@ def test_a_place_that_cannot_be_written_to_is_named(tmp_path, read_only):
         refused = pytest.raises(InputError, match=f"cannot write '{path}' .*choose another place")
         with refused, writing(path):
             pass
+
+
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EFBIG, errno.EDQUOT, None])
+def test_a_full_disk_is_named_and_nothing_is_left(tmp_path, number):
+    error = OSError("encoder error") if number is None else OSError(number, "it is full")
+    refused = pytest.raises(
+        InputError, match=r"cannot write '.*a\.png' \((it is full|encoder error)"
+    )
+    with refused, writing(tmp_path / "a.png"):
+        raise error
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_cannot_be_read_back_gets_no_name(tmp_path):
+    def check(path):
+        assert path.read_text() == "whole"
+        raise InputError("damaged")
+
+    with pytest.raises(InputError, match="damaged"), writing(tmp_path / "a", check) as path:
+        path.write_text("whole")
+    assert not list(tmp_path.iterdir())
+
+
+def test_two_processes_never_write_to_one_temporary_file(tmp_path, monkeypatch):
+    with writing(tmp_path / "a.npz") as mine:
+        monkeypatch.setattr("os.getpid", lambda: 1)
+        with writing(tmp_path / "a.npz") as other:
+            assert mine != other
+            assert set(unfinished(tmp_path / "a.npz")) == {mine, other}

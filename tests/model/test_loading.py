@@ -11,6 +11,7 @@ from silpose.core.pose_space import ANGLES
 from silpose.dataset import render_take
 from silpose.descriptor import ShapeContextHistogram
 from silpose.model import PoseModel, load
+from silpose.model.model_file import write_model_file
 from silpose.regression import MixtureOfRegressors, RelevanceVectorRegressor, RidgeRegressor
 from silpose.tracking import BeliefTracker, MultipleHypothesisTracker
 
@@ -99,7 +100,7 @@ def test_another_format_asks_for_training_again(model, tmp_path):
     model.save(tmp_path / "model.npz")
     arrays = dict(np.load(tmp_path / "model.npz"))
     header = json.loads(str(arrays["header"]))
-    assert header["format"] == 6
+    assert header["format"] == 7
     header["format"] = 99
     np.savez(tmp_path / "model.npz", **(arrays | {"header": np.array(json.dumps(header))}))
     with pytest.raises(InputError, match="format 99"):
@@ -109,3 +110,19 @@ def test_another_format_asks_for_training_again(model, tmp_path):
 def test_a_place_that_cannot_be_written_to_is_named(model, read_only):
     with pytest.raises(InputError, match=r"cannot write .*model\.npz"):
         model.save(read_only / "model.npz")
+
+
+def test_what_was_changed_after_it_was_written_is_refused(model, tmp_path):
+    model.save(tmp_path / "model.npz")
+    arrays = dict(np.load(tmp_path / "model.npz"))
+    arrays["regressor.intercept_"] = arrays["regressor.intercept_"] + 1
+    np.savez(tmp_path / "model.npz", **arrays)
+    with pytest.raises(InputError, match="is damaged, or was changed after it was written"):
+        load(tmp_path)
+
+
+def test_a_model_that_a_stranger_wrote_is_refused_with_a_reason(tmp_path):
+    header = {"regressor": "os.system", "tracker": None, "space": "angles"}
+    write_model_file(tmp_path / "model.npz", header, {})
+    with pytest.raises(InputError, match="holds no model that silpose can use"):
+        load(tmp_path)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from silpose.core.atomic_files import partial
+from silpose.core.atomic_files import unfinished
 from silpose.core.errors import InputError
 from silpose.core.types import Array, Metrics
 from silpose.recording.runs.setting_differences import differing, parsed
@@ -133,7 +133,7 @@ def load_run(folder: str | Path) -> FinishedRun:
     folder = Path(folder)
     if not (folder / "metrics.json").is_file():
         hint = ""
-        if partial(folder / "run.rrd").exists():
+        if unfinished(folder / "run.rrd"):
             hint = f"; it was cut off: 'silpose repair {folder}' salvages what was recorded"
         raise InputError(f"'{folder}' holds no finished run: it has no metrics.json{hint}")
     try:

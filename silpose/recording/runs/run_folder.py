@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
 from silpose.recording.header import Header
+from silpose.recording.runs.claim import claimed
 from silpose.recording.sinks import Sinks
 
 
@@ -30,6 +31,8 @@ class RunFolder:
         Whether pictures of people are kept; None where the source decides.
     defaults : str, default=""
         What the settings would be had nobody chosen any, as YAML.
+    is_new : bool, default=False
+        Whether the folder was made for this run, so that nothing else is in it.
     """
 
     experiment: str
@@ -39,6 +42,7 @@ class RunFolder:
     sinks: Sinks
     keep_pictures: bool | None = None
     defaults: str = ""
+    is_new: bool = False
 
     @classmethod
     def start(
@@ -88,6 +92,7 @@ class RunFolder:
         parent = Path(root) / experiment
         try:
             parent.mkdir(parents=True, exist_ok=True)
+            is_new = name is None or not (parent / name).exists()
             folder = _new_folder(parent, name)
             probe = folder / ".partial"  # fails now rather than after the work
             probe.touch()
@@ -96,13 +101,42 @@ class RunFolder:
             raise InputError(
                 f"cannot write to '{parent}' ({error.strerror}): choose another recording.root"
             ) from error
-        return cls(experiment, folder.name, folder, settings, opened, keep_pictures, defaults)
+        return cls(
+            experiment, folder.name, folder, settings, opened, keep_pictures, defaults, is_new
+        )
 
-    def abandon(self) -> None:
-        """Remove the folder if nothing was finished in it."""
+    def claimed(self) -> AbstractContextManager[None]:
+        """Keep other runs out while the context lasts; an error if one is there."""
+        return claimed(self.folder)
+
+    def renew(self) -> None:
+        """Make a folder that an earlier run filled an unfinished one, before anything changes."""
+        if not self.is_new:
+            (self.folder / "metrics.json").unlink(missing_ok=True)
+            for cut_off in self.folder.glob(".*partial*"):
+                cut_off.unlink()
+
+    def abandon(self, keep: bool = True) -> list[str]:
+        """Remove the folder of a run that did not come to its end, if nothing is in it.
+
+        Parameters
+        ----------
+        keep : bool, default=True
+            Whether files that were finished stay. What an earlier run left stays always.
+
+        Returns
+        -------
+        kept : list of str
+            Names of files that are there.
+        """
+        if self.is_new and not keep:
+            for file in self.folder.iterdir():
+                file.unlink()
+        kept = sorted(file.name for file in self.folder.iterdir())
         for folder in (self.folder, self.folder.parent):
             if not any(folder.iterdir()):
                 folder.rmdir()
+        return kept if self.is_new else []
 
     @contextmanager
     def writing(self, file: str) -> Iterator[Path]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from silpose.core.atomic_files import partial
+from silpose.core.atomic_files import unfinished_pattern
 from silpose.core.errors import InputError
 from silpose.recording.runs.finished_run import FinishedRun, load_run
 
@@ -37,8 +37,7 @@ def find_runs(root: str | Path = "recordings") -> tuple[list[FinishedRun], list[
             finished.append((file.stat().st_mtime, load_run(file.parent)))
         except InputError:
             others.append(file.parent)
-    hidden = partial(Path("run.rrd")).name
-    others += [file.parent for file in root.rglob(hidden)]
+    others += [file.parent for file in root.rglob(unfinished_pattern(Path("run.rrd")))]
     return [run for _, run in sorted(finished, key=lambda each: -each[0])], sorted(set(others))
 
 

@@ -97,8 +97,8 @@ class _Files(SimpleHTTPRequestHandler):
 
     def do_GET(self) -> None:
         """Send the page or a file, but only to who asks for this machine by its own name."""
-        here = f"{HOST}:{self.connection.getsockname()[1]}"
-        if self.headers.get("Host") not in (here, here.replace(HOST, "localhost")):
+        here = self._address()
+        if not self._is_asked_from_here():
             self.send_error(403)
         elif self.path != "/":
             super().do_GET()
@@ -113,6 +113,22 @@ class _Files(SimpleHTTPRequestHandler):
             self.send_header("Content-Length", str(len(content)))
             self.end_headers()
             self.wfile.write(content)
+
+    def do_HEAD(self) -> None:
+        """Tell of a file, to the same askers."""
+        if self._is_asked_from_here():
+            super().do_HEAD()
+        else:
+            self.send_error(403)
+
+    def _address(self) -> str:
+        return f"{HOST}:{self.connection.getsockname()[1]}"
+
+    def _is_asked_from_here(self) -> bool:
+        """Whether the address asked for is ours, and the page that asks is ours or the viewer's."""
+        names = (self._address(), self._address().replace(HOST, "localhost"))
+        pages = (None, self._origin, *(f"http://{name}" for name in names))
+        return self.headers.get("Host") in names and self.headers.get("Origin") in pages
 
     def end_headers(self) -> None:
         """Let the viewer's page read our files, and no other page."""

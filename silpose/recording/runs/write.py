@@ -33,13 +33,13 @@ def write_result(
         Seconds by stage: what `silpose.core.stages.timing` collects, so that the stage
         ``recording``, which is timed here, is among them.
     """
+    folder.renew()
     if result.used_model is not None:
         own = with_model_settings(folder.settings, result.used_model)
         folder = replace(folder, settings=own)
     figure = _write_figure(folder, result)
     if result.model is not None:
-        with folder.writing("model.npz") as path:
-            result.model.save(path)
+        result.model.save(folder.folder / "model.npz")
     for name, table in result.tables.items():
         with folder.writing(name) as path:
             path.write_text(table, encoding="utf-8", newline="")

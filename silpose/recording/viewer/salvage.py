@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from silpose.core.atomic_files import partial, writing
+from silpose.core.atomic_files import unfinished, writing
 from silpose.core.errors import InputError
 from silpose.recording.read import reader
 from silpose.recording.viewer.process import program
@@ -33,8 +33,8 @@ def repair(broken: str | Path) -> Path:
     """
     broken = Path(broken)
     if broken.is_dir():
-        inside = [partial(broken / "run.rrd"), broken / "run.rrd"]
-        found = [path for path in inside if path.is_file()]
+        inside = broken / "run.rrd"
+        found = [*unfinished(inside), *([inside] if inside.is_file() else [])]
         if not found:
             raise InputError(f"'{broken}' holds no recording to salvage")
         broken = found[0]

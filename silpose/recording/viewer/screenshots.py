@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +23,9 @@ from silpose.recording.read import frames_of, reader
 from silpose.recording.viewer.process import HOST, free_port, start
 
 _DRAWN = 0.5  # seconds until a first picture is complete
-_SETTLE = 0.3  # seconds until a viewer has found its driver, or failed to
+_ENDED = 1.0  # seconds that a viewer that fails takes to end
+_PATIENCE = 120.0  # seconds until a viewer must have drawn, on a machine that is busy
+_DRIVER = "it needs a Vulkan driver (Debian: mesa-vulkan-drivers)"
 
 
 def picture(
@@ -128,6 +131,11 @@ def _write_mp4(path: Path, images: Sequence[NDArray[Any]], frames_per_second: fl
     for image in images:
         writer.write(cv2.cvtColor(image, cv2.COLOR_RGB2BGR))
     writer.release()
+    written = cv2.VideoCapture(str(path))  # OpenCV says nothing of a write that failed
+    count = int(written.get(cv2.CAP_PROP_FRAME_COUNT))
+    written.release()
+    if count != len(images):
+        raise InputError(f"only {count} of {len(images)} frames could be written: free some space")
 
 
 def _write_gif(path: Path, images: Sequence[NDArray[Any]], frames_per_second: float) -> None:
@@ -147,22 +155,37 @@ def opened(recording: str | Path) -> Iterator[ViewerClient]:
     port = free_port()
     try:
         # Without --expect-data-soon a note that the viewer listens covers the views.
-        process = start(
-            *("--headless", "--expect-data-soon"), port=port, remedy="try again", settle=_SETTLE
-        )
+        process = start("--headless", "--expect-data-soon", port=port, remedy="try again")
     except InputError as error:
-        raise InputError(
-            f"{error}; it needs a Vulkan driver (Debian: mesa-vulkan-drivers)"
-        ) from error
+        raise InputError(f"{error}; {_DRIVER}") from error
     try:
         viewer = ViewerClient(f"rerun+http://{HOST}:{port}/proxy")
-        viewer.open(str(Path(recording).absolute()))
-        viewer.take_screenshot()  # waits until everything is loaded
+        _load(viewer, Path(recording), process)
         time.sleep(_DRAWN)
         yield viewer
     finally:
         process.terminate()
         process.wait()
+
+
+def _load(viewer: ViewerClient, recording: Path, process: subprocess.Popen[bytes]) -> None:
+    """Wait until a viewer has drawn a recording; without a driver it ends once it should draw."""
+    deadline = time.monotonic() + _PATIENCE
+    while True:
+        try:
+            viewer.open(str(recording.absolute()))
+            viewer.take_screenshot()  # waits until everything is loaded
+            return
+        except (OSError, RuntimeError) as error:
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(_ENDED)
+            if process.returncode is not None:
+                raise InputError(f"Rerun cannot draw here: {_DRIVER}") from error
+            if time.monotonic() > deadline:
+                raise InputError(
+                    f"Rerun does not draw within {_PATIENCE:.0f} seconds: try again when this "
+                    "machine is less busy"
+                ) from error
 
 
 @contextmanager

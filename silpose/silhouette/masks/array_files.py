@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import zipfile
 from pathlib import Path
 
 import numpy as np
 
+from silpose.core.array_files import DAMAGE, TooLarge, check_members, first_line, wrong_size
 from silpose.core.errors import InputError
 from silpose.silhouette.masks.picture import Pixels
 
@@ -25,19 +25,29 @@ def read_array_file(file: Path) -> Pixels:
         If it is damaged, holds pickled objects, or several arrays of which none has a usual name.
     """
     try:
+        if _begins(file, b"\x93N"):
+            with file.open("rb") as stream:
+                if wrong := wrong_size(stream, file.stat().st_size, compressed=False):
+                    raise OSError(wrong)
         loaded = np.load(file, allow_pickle=False)
         if isinstance(loaded, np.ndarray):
             return loaded
         with loaded:
+            check_members(loaded)
             return np.asarray(loaded[_name(file, loaded.files)])
-    except (OSError, EOFError, zipfile.BadZipFile, KeyError) as error:
+    except InputError:
+        raise
+    except TooLarge as error:
         raise InputError(
-            f"'{file}' is incomplete or damaged ({error}): remove it, or write it anew"
+            f"'{file}' {error}: save it by np.save, or split it into shorter takes"
         ) from None
-    except ValueError as error:
-        if isinstance(error, InputError):
-            raise
-        if file.read_bytes()[:2] not in (b"\x93N", b"PK"):
+    except DAMAGE as error:
+        if not isinstance(error, ValueError):
+            raise InputError(
+                f"'{file}' is incomplete or damaged ({first_line(error)}): remove it, or write it "
+                "anew"
+            ) from None
+        if not _begins(file, b"\x93N", b"PK"):
             raise InputError(
                 f"'{file}' is no array of NumPy, or damaged: save the masks by "
                 "np.save('masks.npy', masks)"
@@ -60,3 +70,8 @@ def _name(file: Path, names: list[str]) -> str:
             "'masks'"
         )
     return usual[0]
+
+
+def _begins(file: Path, *beginnings: bytes) -> bool:
+    with file.open("rb") as stream:
+        return stream.read(2) in beginnings

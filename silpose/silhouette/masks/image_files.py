@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import warnings
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,6 +14,7 @@ import numpy as np
 from PIL import Image, UnidentifiedImageError
 
 from silpose.core.errors import InputError
+from silpose.silhouette.masks.opencv_log import silent_opencv
 from silpose.silhouette.masks.picture import Picture, compact
 
 IMAGES = (
@@ -21,9 +24,11 @@ IMAGES = (
 """Suffixes of image files."""
 
 _PNG = b"\x89PNG\r\n\x1a\n"
+_TIFF = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 _JPEG = b"\xff\xd8\xff"
 _LOSSY = ("JPEG", "WEBP", "JPEG2000", "MPO", "AVIF")
 _ANIMATED = ("GIF",)
+_DENSE, _DENSEST = ("PNG", "GIF"), 10_000  # pixels that their compression gets into a byte
 _LONGEST_HOLD = 10  # frames; an animation that shows a picture for longer pauses
 
 
@@ -68,27 +73,53 @@ def _decode(encoded: bytes) -> np.ndarray | None:
     if encoded.startswith(_PNG):
         beginning = encoded[:4096]
         indexed = encoded[25:26] == b"\x03"
-        if indexed or b"acTL" in beginning or b"tRNS" in beginning or b"IEND" not in encoded[-64:]:
+        if indexed or b"acTL" in beginning or b"tRNS" in beginning or not _is_whole_png(encoded):
             return None
         flags = cv2.IMREAD_UNCHANGED
     elif encoded.startswith(_JPEG) and b"\xff\xd9" in encoded[-1024:]:
         flags = cv2.IMREAD_ANYCOLOR | cv2.IMREAD_ANYDEPTH
     else:
         return None
-    pixels = cv2.imdecode(np.frombuffer(encoded, np.uint8), flags)
+    try:  # Pillow looks at the size first; OpenCV takes memory for all pixels that are claimed
+        _opened(encoded)
+    except Exception:
+        return None
+    with silent_opencv():
+        pixels = cv2.imdecode(np.frombuffer(encoded, np.uint8), flags)
     if pixels is None or pixels.ndim == 2:
         return pixels
     return pixels[:, :, [2, 1, 0, 3][: pixels.shape[2]]]
 
 
+def _is_whole_png(encoded: bytes) -> bool:
+    """Whether every chunk is as long as it claims; OpenCV takes memory for what is claimed."""
+    place = len(_PNG)
+    while encoded[place + 4 : place + 8] != b"IEND":
+        place += 12 + int.from_bytes(encoded[place : place + 4], "big")
+        if place >= len(encoded):
+            return False
+    return True
+
+
+def _opened(encoded: bytes) -> Image.Image:
+    """Read an image's header, and refuse sizes that cannot be."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what is wrong is said here, in one sentence
+        image = Image.open(io.BytesIO(encoded))
+    width, height = image.size
+    if image.format in _DENSE and width * height > _DENSEST * len(encoded):
+        raise OSError(f"{width} x {height} pixels cannot be in {len(encoded)} bytes")
+    return image
+
+
 def _read_with_pillow(file: Path, encoded: bytes) -> Animation:
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # what is wrong is said here, in one sentence
-            return _animation(Image.open(io.BytesIO(encoded)), file.name)
+            warnings.simplefilter("ignore")
+            return _animation(_opened(encoded), file.name)
     except UnidentifiedImageError:
         return _read_tiff(file, encoded)
-    except (OSError, SyntaxError, ValueError, EOFError, Image.DecompressionBombError) as error:
+    except Exception as error:  # for damaged files, Pillow has errors of any kind
         raise InputError(
             f"'{file}' is incomplete or damaged ({error}): remove it, or write it anew"
         ) from None
@@ -96,8 +127,11 @@ def _read_with_pillow(file: Path, encoded: bytes) -> Animation:
 
 def _read_tiff(file: Path, encoded: bytes) -> Animation:
     """Read pages that Pillow does not know, such as those of colours of 16 bits."""
-    ok, pages = cv2.imdecodemulti(np.frombuffer(encoded, np.uint8), cv2.IMREAD_UNCHANGED)
-    if not ok or not pages:
+    pages: Sequence[np.ndarray] = ()
+    if encoded.startswith(_TIFF):
+        with silent_opencv(), suppress(cv2.error):
+            _, pages = cv2.imdecodemulti(np.frombuffer(encoded, np.uint8), cv2.IMREAD_UNCHANGED)
+    if not pages:
         raise InputError(f"'{file}' is no image that can be read: expected a mask such as a PNG")
     if len(pages) == 1:
         return Animation([compact(Picture(pages[0], file.name))])

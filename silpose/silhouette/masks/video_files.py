@@ -9,6 +9,7 @@ import cv2
 
 from silpose.core.errors import InputError
 from silpose.silhouette.masks.image_files import Animation
+from silpose.silhouette.masks.opencv_log import silent_opencv
 from silpose.silhouette.masks.picture import Picture, compact
 
 VIDEOS = (
@@ -32,11 +33,8 @@ def read_video(file: Path) -> Animation:
     """
     # An absolute path, since FFmpeg takes what is before a colon for a protocol; its backend
     # alone, since others take a percent sign for a numbered series of images.
-    said = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    try:
+    with silent_opencv():
         video = cv2.VideoCapture(str(file.absolute()), cv2.CAP_FFMPEG)
-    finally:
-        cv2.utils.logging.setLogLevel(said)
     if not video.isOpened():
         raise InputError(
             f"'{file}' is no video that can be read: give a video, an image or a folder of masks"

@@ -57,3 +57,36 @@ def test_a_folder_that_cannot_be_used_is_named(tmp_path):
 def test_a_read_only_folder_is_named(read_only):
     with pytest.raises(InputError, match=f"cannot write to '{read_only}.*recording.root"):
         RunFolder.start("e", root=read_only)
+
+
+def test_a_folder_is_for_one_run_at_a_time(tmp_path):
+    pytest.importorskip("fcntl")
+    run = RunFolder.start("e", root=tmp_path, name="mine")
+    other = RunFolder.start("e", root=tmp_path, name="mine")
+    with (
+        run.claimed(),
+        pytest.raises(InputError, match=r"another run is working in .*recording\.name"),
+        other.claimed(),
+    ):
+        pass
+    with other.claimed():
+        pass
+
+
+def test_a_name_that_is_used_again_is_unfinished_before_anything_changes(tmp_path):
+    RunFolder.start("e", root=tmp_path, name="mine")
+    folder = tmp_path / "e" / "mine"
+    for name in ("metrics.json", "model.npz", ".run.7.partial.rrd"):
+        (folder / name).touch()
+    again = RunFolder.start("e", root=tmp_path, name="mine")
+    again.renew()
+    assert [file.name for file in folder.iterdir()] == ["model.npz"]
+    assert again.abandon(keep=False) == [] and (folder / "model.npz").is_file()
+
+
+def test_an_interrupted_run_leaves_nothing(tmp_path):
+    run = RunFolder.start("e", root=tmp_path)
+    (run.folder / "model.npz").touch()
+    assert run.abandon() == ["model.npz"]
+    run.abandon(keep=False)
+    assert not run.folder.exists()

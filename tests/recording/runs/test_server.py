@@ -4,6 +4,7 @@ import shutil
 import socket
 from contextlib import suppress
 from html import unescape
+from http.client import HTTPConnection
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
 
@@ -62,6 +63,11 @@ def test_only_this_machine_is_answered(address):
                 probe.connect((host, port))
     with pytest.raises(HTTPError, match="403"):  # a foreign page that has our address as its name
         read(address, Host="example.org")
+    with pytest.raises(HTTPError, match="403"):
+        read(address, Origin="http://example.org")
+    asked = HTTPConnection("127.0.0.1", ours)
+    asked.request("HEAD", "/", headers={"Host": "example.org"})
+    assert asked.getresponse().status == 403
 
 
 def outside():

@@ -1,3 +1,8 @@
+import io
+import struct
+import zlib
+
+import cv2
 import numpy as np
 import pytest
 from PIL import Image
@@ -76,3 +81,41 @@ def test_the_picture_for_programs_without_animations_is_left_out(tmp_path, figur
     file = tmp_path / "masks.png"
     cover.save(file, save_all=True, append_images=[first, *others], default_image=True)
     assert len(read_image_file(file).pictures) == len(figures)
+
+
+def chunk(kind, content, claimed=None):
+    length = len(content) if claimed is None else claimed
+    return (
+        struct.pack(">I", length) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+    )
+
+
+def png(width, height, claimed=None):
+    """A PNG of a few bytes that claims a size, and a length of its pixels."""
+    header = chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
+    pixels = chunk(b"IDAT", zlib.compress(bytes(width)), claimed)
+    return b"\x89PNG\r\n\x1a\n" + header + pixels + chunk(b"IEND", b"")
+
+
+def jpeg(width, height):
+    stored = io.BytesIO()
+    Image.new("L", (16, 16)).save(stored, "JPEG")
+    content = bytearray(stored.getvalue())
+    place = content.index(b"\xff\xc0") + 5
+    content[place : place + 4] = struct.pack(">HH", height, width)
+    return bytes(content)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        png(100_000, 100_000), png(30_000, 30_000), png(4_000, 4_000),
+        png(16, 16, claimed=2_000_000_000), jpeg(30_000, 30_000),
+    ],
+    ids=["100000", "30000", "more than its bytes hold", "a chunk of 2 GB", "JPEG"],
+)  # fmt: skip
+def test_a_claimed_size_is_refused_before_memory_is_taken(tmp_path, monkeypatch, content):
+    monkeypatch.setattr(cv2, "imdecode", lambda *_: pytest.fail("OpenCV would take the memory"))
+    (tmp_path / "odd.png").write_bytes(content)
+    with pytest.raises(InputError, match=r"odd\.png' is incomplete or damaged"):
+        read_image_file(tmp_path / "odd.png")

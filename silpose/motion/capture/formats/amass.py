@@ -180,7 +180,11 @@ def _rate(archive: Archive) -> float:
     rate = archive.numbers(key)
     if rate.size != 1 or not 1 <= rate.item() <= 10_000:
         raise archive.refuse(
-            f"'{key}' is {rate}; expected 1 to 10000 frames per second; motion.frame_rate=120 "
-            "gives it as well"
+            f"'{key}' is {_shortened(rate)}; expected 1 to 10000 frames per second; "
+            "motion.frame_rate=120 gives it as well"
         )
     return float(rate.item())
+
+
+def _shortened(values: Array) -> str:
+    return str(values.item()) if values.size == 1 else f"of shape {values.shape}"

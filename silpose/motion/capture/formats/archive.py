@@ -2,25 +2,15 @@
 
 from __future__ import annotations
 
-import tokenize
-import zipfile
-import zlib
 from collections.abc import Sequence
 from pathlib import Path
 from types import TracebackType
 
 import numpy as np
 
+from silpose.core.array_files import DAMAGE, first_line, wrong_size
 from silpose.core.errors import InputError
 from silpose.core.types import Array
-
-LARGEST = 2_000_000_000
-"""Bytes of the largest array that is read."""
-
-_DAMAGE = (
-    zipfile.BadZipFile, zlib.error, ValueError, OSError, EOFError, MemoryError,
-    NotImplementedError, RuntimeError, KeyError, SyntaxError, tokenize.TokenError,
-)  # fmt: skip
 
 
 class Archive:
@@ -40,9 +30,9 @@ class Archive:
         self.file = file
         try:
             stored = np.load(file, allow_pickle=False)
-        except _DAMAGE as error:
+        except DAMAGE as error:
             raise InputError(
-                f"{file}: is no .npz archive, or damaged ({_first_line(error)}); download it again"
+                f"{file}: is no .npz archive, or damaged ({first_line(error)}); download it again"
             ) from error
         if not isinstance(stored, np.lib.npyio.NpzFile):
             raise InputError(f"{file}: is no .npz archive but a single array; save it by np.savez")
@@ -72,7 +62,7 @@ class Archive:
         """Read an array of real numbers."""
         try:
             values = self._read(key)
-        except _DAMAGE as error:
+        except DAMAGE as error:
             if isinstance(error, InputError):
                 raise
             raise self.refuse(
@@ -91,21 +81,9 @@ class Archive:
         if not named:
             raise KeyError(key)
         member = named[0]
-        if member.file_size > LARGEST:
-            raise self.refuse(
-                f"'{key}' has {member.file_size / 1e9:.1f} GB, more than {LARGEST / 1e9:.0f}; "
-                "split it into shorter takes"
-            )
         with archive.open(member) as stream:
-            version = np.lib.format.read_magic(stream)
-            read = (
-                np.lib.format.read_array_header_1_0
-                if version == (1, 0)
-                else np.lib.format.read_array_header_2_0
-            )
-            shape, _, dtype = read(stream)
-        if not dtype.hasobject and np.prod(shape, dtype=float) * dtype.itemsize > member.file_size:
-            raise self.refuse(f"'{key}' claims shape {shape}, but the file is damaged or truncated")
+            if wrong := wrong_size(stream, member.file_size):
+                raise self.refuse(f"'{key}' {wrong}; split it into shorter takes")
         return self._stored[key]
 
     def lacks(self, keys: Sequence[str], meaning: str) -> InputError:
@@ -118,7 +96,3 @@ class Archive:
     def refuse(self, what: str) -> InputError:
         """Give an error that names the file."""
         return InputError(f"{self.file}: {what}")
-
-
-def _first_line(error: Exception) -> str:
-    return str(error).splitlines()[0] if str(error) else type(error).__name__

@@ -116,6 +116,7 @@ BAD = {
     "'poses' holds turns up to": {"poses": np.full((9, 156), 1000.0)},
     "'trans' is not finite or huge in frame 0": {"trans": np.full((9, 3), 1e30)},
     "'mocap_framerate' is -3.0": {"mocap_framerate": np.array(-3.0)},
+    "'mocap_framerate' is of shape": {"mocap_framerate": np.full(99, 60.0)},
     "'mocap_framerate' is nan": {"mocap_framerate": np.array(np.nan)},
 }  # fmt: skip
 

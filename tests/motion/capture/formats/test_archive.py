@@ -48,7 +48,7 @@ def test_a_claimed_size_costs_no_memory(tmp_path):
 
 def test_too_large(tmp_path, monkeypatch):
     np.savez(tmp_path / "a.npz", a=np.zeros(500))
-    monkeypatch.setattr("silpose.motion.capture.formats.archive.LARGEST", 1000)
+    monkeypatch.setattr("silpose.core.array_files.LARGEST", 1000)
     with Archive(tmp_path / "a.npz") as stored, pytest.raises(InputError, match="shorter takes"):
         stored.numbers("a")
 

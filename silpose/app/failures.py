@@ -1,0 +1,54 @@
+"""What the command says when it stops before its end, and its exit status."""
+
+from __future__ import annotations
+
+import os
+import sys
+
+from silpose.core.errors import InputError
+
+INTERRUPTED = 130
+"""Exit status after Ctrl-C, as shells have it."""
+
+_TOO_MANY_FILES = "raise the limit by 'ulimit -n 4096', or lower n_jobs"
+_NO_MEMORY = "not enough memory: use fewer or shorter takes, smaller masks, or a lower n_jobs"
+
+
+def sentence(error: Exception) -> str:
+    """Say in one sentence what went wrong.
+
+    Parameters
+    ----------
+    error : Exception
+
+    Returns
+    -------
+    sentence : str
+        An error that no input and no machine explains is called unexpected.
+    """
+    return f"silpose: {_what(error)}"
+
+
+def _what(error: Exception) -> str:
+    if isinstance(error, InputError):
+        return str(error)
+    if isinstance(error, MemoryError) or "failed to map segment" in str(error):
+        return _NO_MEMORY
+    kind, words = type(error).__name__, " ".join(str(error).split())
+    if isinstance(error, OSError) and error.strerror:
+        file = f"'{error.filename}': " if error.filename else ""
+        remedy = f" ({_TOO_MANY_FILES})" if "open files" in error.strerror else ""
+        return f"{file}{error.strerror}{remedy}"
+    return f"unexpected {kind}: {words} (debug=true shows where it comes from)"
+
+
+def print_anywhere() -> None:
+    """Let signs that the terminal cannot show become question marks rather than errors."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")
+
+
+def stop_quietly() -> None:
+    """End output that nobody reads any more, as when it goes to ``head``."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
