@@ -18,7 +18,7 @@ from timing import FAST, report
 from silpose.core.pose_space import ANGLES
 from silpose.dataset import Renderer, SamePerformer
 from silpose.descriptor import ShapeContextHistogram
-from silpose.fitting import BodyFitter, PosePrior
+from silpose.fitting import BodyFitter, Confidence, PosePrior
 from silpose.model import PoseFitter, PoseModel, describe_dataset
 from silpose.model.video import live_steps
 from silpose.motion import WalkerTakes
@@ -65,8 +65,8 @@ def live(data, described, frames):
     take = data.test[0]
     z, x = (np.concatenate(part) for part in zip(*described.train, strict=True))
     prior = PosePrior(25.0 * np.eye(54), 2e4 * np.eye(54))
-    body = BodyFitter(Body(), take.camera, prior)
-    fitter = PoseFitter(body, z, x, 0, 0.9)
+    body = BodyFitter(Body(), take.camera, prior, confidence=Confidence(usual_iou=0.9))
+    fitter = PoseFitter(body, z, x, 0)
     ridge = RidgeRegressor(damping=0.1).fit(z, x)
     model = PoseModel(described.descriptor, ridge, ANGLES, 15.0, None, fitter)
     rows, finite, sizes = [], True, []

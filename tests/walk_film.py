@@ -8,7 +8,7 @@ from video_films import noisy, paint, wall, write_film
 
 from silpose.core.pose_space import ANGLES
 from silpose.descriptor import ShapeContextHistogram
-from silpose.fitting import BodyFitter, PosePrior
+from silpose.fitting import BodyFitter, Confidence, PosePrior
 from silpose.model import PoseFitter, PoseModel
 from silpose.regression import RidgeRegressor
 from silpose.silhouette import Camera, render
@@ -53,7 +53,7 @@ def walk_model(body):
     histogram = ShapeContextHistogram(codebook_size=30)
     z = histogram.fit_transform(masks)
     prior = PosePrior(25.0 * np.eye(54), 2e4 * np.eye(54))
-    expected = Camera(width=96, height=96)
-    fitter = BodyFitter(body, expected, prior, camera_is="estimated", iterations=4)
+    expected, sure = Camera(width=96, height=96), Confidence(usual_iou=0.9)
+    fitter = BodyFitter(body, expected, prior, camera_is="estimated", iterations=4, confidence=sure)
     regressor = RidgeRegressor(damping=10).fit(z, x)
-    return PoseModel(histogram, regressor, ANGLES, 25.0, None, PoseFitter(fitter, z, x, 0, 0.9))
+    return PoseModel(histogram, regressor, ANGLES, 25.0, None, PoseFitter(fitter, z, x, 0))

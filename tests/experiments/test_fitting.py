@@ -5,18 +5,19 @@ import silpose
 from silpose.core.errors import InputError
 from silpose.evaluation import BASELINES
 from silpose.recording import read_poses
+from silpose.recording.captions import in_words
 
 FITTED = {"fitted", "fitted_live", "fitted_take", "fitted_take_estimated"}
-FITTED |= {"fitted_from_ridge", "fitted_from_hypotheses", "fitted_from_mean_pose"}
+FITTED |= {"fitted_from_ridge", "fitted_from_mean_pose"}
 
 
 @pytest.fixture(scope="module")
 def fitting(run, walkers):
-    return run("fitting", walkers, traced=20)
+    return run("fitting", walkers, traced=20, hypotheses=False)
 
 
 def test_fits_stand_beside_what_they_start_from_and_all_baselines(fitting):
-    before = {"ridge", "tracker", "tracker_lag", "hypotheses_lag"}
+    before = {"ridge", "tracker", "tracker_lag"}
     assert set(fitting.metrics) == {*BASELINES} | before | FITTED
     error, joints = fitting.values("mean_angular_error_deg"), fitting.values("mpjpe_mm")
     assert error["fitted_take"] < error["ridge"]
@@ -65,7 +66,7 @@ def test_the_figure_shows_four_frames_before_and_after(fitting):
     names = [
         label.get_text() for axes in fitting.result.figure.axes for label in axes.get_yticklabels()
     ]
-    assert {"ridge", "fitted take", "mean pose"} < set(names)
+    assert {in_words(method) for method in ("ridge", "fitted_take", "mean_pose")} < set(names)
 
 
 def test_the_saved_model_fits(fitting, walkers):
@@ -87,3 +88,11 @@ def test_every_how_many_frames_must_be_positive(run, walkers):
 def test_a_frame_that_is_not_there_is_refused(run, walkers):
     with pytest.raises(InputError, match="traced=45"):
         run("fitting", walkers, traced=45)
+
+
+@pytest.mark.slow
+def test_the_tracker_of_several_hypotheses_starts_fits_too(run, walkers):
+    fitting = run("fitting", walkers, traced=20)
+    assert {"hypotheses_lag", "fitted_from_hypotheses"} < set(fitting.metrics)
+    error = fitting.values("mean_angular_error_deg")
+    assert error["fitted_from_hypotheses"] < error["hypotheses_lag"]

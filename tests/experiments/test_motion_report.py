@@ -61,7 +61,7 @@ def test_views_show_an_upright_person_who_faces_right_from_the_side(report):
     for axes in (front, side):
         points = np.concatenate([line.get_xydata() for line in axes.lines])
         assert -0.2 < points[:, 1].min() < 0.1 < 1.4 < points[:, 1].max() < 2
-    feet = [line.get_xydata() for line in side.lines if line.get_lw() == 1.3]
+    feet = [line.get_xydata() for line in side.lines if line.get_lw() == 1.5]
     feet = [ends for ends in feet if max(ends[:, 1]) < 0.14 and np.ptp(ends[:, 0]) > 0.08]
     assert feet and all(ends[1, 0] > ends[0, 0] for ends in feet)  # from ankle to toes
 

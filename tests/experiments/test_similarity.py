@@ -29,7 +29,7 @@ def test_the_figure_shows_every_pair_of_frames_on_one_scale(similarity):
 def test_the_first_take_that_matches_is_compared(run, walkers):
     name = walkers.load().train[1].name
     chosen = run("similarity", walkers, record=False, takes=["no_such", name, "*"])
-    assert f"take {name} by" in chosen.result.recording.words
+    assert f"take '{name}' of" in chosen.result.recording.words
 
 
 def test_similarity_of_the_very_walk_of_the_figure(run, authors):

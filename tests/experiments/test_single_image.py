@@ -11,6 +11,7 @@ from silpose.core.errors import InputError
 from silpose.evaluation import BASELINES
 from silpose.fitting import FittingOptions
 from silpose.model import DescriptorCache, training
+from silpose.recording.captions import in_words
 from silpose.regression import Basis, Candidates, RidgeRegressor
 from silpose.silhouette.masks import MaskSource
 
@@ -81,11 +82,8 @@ def test_the_figure_has_samples_headings_and_a_bar_for_every_method(single_image
     samples, series, bars = single_image.result.figure.subfigs
     assert len(samples.axes) == 7
     assert len(series.axes) == 2
-    assert [label.get_text() for label in bars.axes[0].get_yticklabels()] == [
-        *BASELINES,
-        "ridge",
-        "rvm_20",
-    ]
+    labels = [label.get_text() for label in bars.axes[0].get_yticklabels()]
+    assert labels == [in_words(method) for method in (*BASELINES, "ridge", "rvm_20")]
 
 
 def test_own_masks_and_unknown_methods_are_refused(run, walkers):

@@ -173,7 +173,7 @@ def _do(work: _Work, take: MaskTake) -> dict[str, object]:
 
 
 def _answer(model: PoseModel, take: MaskTake, work: _Work) -> tuple[Poses, list[str]]:
-    options = {name: value for name, value in vars(work.options).items() if name != "source"}
+    options = work.options.reading
     details = model.explain(take.path, **options)
     if work.fit or model.tracker is None:
         return model.predict(details, fit=work.fit), details.names
