@@ -83,7 +83,7 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
             folder.claimed(),
             timing() as seconds,
             parallel_config(n_jobs=options.n_jobs),
-            _one_blas_thread(),
+            threadpool_limits(1),  # results must not depend on the number of processors
         ):
             result = job()
             write_result(folder, result, options.seed, seconds)
@@ -96,8 +96,3 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
             raise InputError(f"{error}; '{folder.folder}' keeps {', '.join(kept)}") from error
         raise
     return load_run(folder.folder)
-
-
-def _one_blas_thread() -> threadpool_limits:
-    """Keep linear algebra on one thread: beside another program, several mostly wait."""
-    return threadpool_limits(1, user_api="blas")

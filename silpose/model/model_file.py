@@ -18,6 +18,7 @@ from silpose.core.errors import InputError
 from silpose.core.serialisation import State
 
 FORMAT = 7
+_WITHOUT_DIGEST = 6  # the format before, which is read as well
 _LARGE = 1000  # numbers from which an array is not written twice
 
 
@@ -72,11 +73,12 @@ def read_model_file(path: str | Path) -> tuple[dict[str, Any], State]:
         raise InputError(
             f"'{path}' is no silpose model, or damaged ({error}): give a run's model.npz"
         ) from error
-    if header["format"] != FORMAT:
+    if header["format"] not in (FORMAT, _WITHOUT_DIGEST):
         raise InputError(
             f"'{path}' has {written_by}; this version reads format {FORMAT}: train the model again"
         )
-    if header.pop("digest", None) != _digest(header, arrays):
+    written = header.pop("digest", None)
+    if header["format"] == FORMAT and written != _digest(header, arrays):
         raise InputError(
             f"'{path}' is damaged, or was changed after it was written: copy it again, or train "
             "the model again"

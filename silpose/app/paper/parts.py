@@ -13,6 +13,10 @@ _FAST = (
     "silhouette.camera.width=96", "silhouette.camera.height=96", "descriptor.codebook_size=40",
     "regression.basis.width=[2]", "regression.ridge.damping=[0.1]", "regression.rvm.nu=[10]",
 )  # fmt: skip
+_FEW_CHOICES = (
+    "choices.codebook_method=[random]", "choices.codebook_size=[20]", "choices.voters=[1]",
+    "choices.vote_width=[]", "choices.radius=[]", "choices.edge_points=[]",
+)  # fmt: skip
 _FAST_WALKERS = ("motion.seconds=3", "motion.test_seconds=4")
 
 
@@ -57,7 +61,7 @@ PARTS = (
     Part("damping", fast=("values=[0,0.9,1]",)),
     Part("initialisation"),
     Part("descriptor_robustness"),
-    Part("descriptor_choices"),
+    Part("descriptor_choices", fast=_FEW_CHOICES),
     Part("mixture", on_authors=True),
     Part("ambiguity"),
     Part("tracking", on_authors=True, spread=True),
