@@ -3,7 +3,7 @@
     python docs/pictures.py                       # all of them
     python docs/pictures.py silpose.gif tracking  # some
 
-`docs/README.md` then shows what there is. Experiments run with their default settings, in a folder
+`docs/figures.md` then shows what there is. Experiments run with their default settings, in a folder
 that is deleted afterwards. The viewer's picture needs a Vulkan driver.
 """
 
@@ -77,7 +77,7 @@ def write_index() -> None:
         if (DOCS / f"{name}.png").exists()
     ]
     title = "# What the experiments show\n\nMade by `python docs/pictures.py`.\n"
-    (DOCS / "README.md").write_text("\n".join([title, *shown]), encoding="utf-8")
+    (DOCS / "figures.md").write_text("\n".join([title, *shown]), encoding="utf-8")
 
 
 def main(names: Sequence[str]) -> None:
