@@ -118,6 +118,21 @@ def _serve(given: argparse.Namespace) -> None:
     serve(given.folder, given.port)
 
 
+def _catalog_options(verb: argparse.ArgumentParser) -> None:
+    _root(verb)
+    verb.add_argument("--port", type=int, default=0, help="any free one by default")
+
+
+def _catalog(given: argparse.Namespace) -> None:
+    from silpose.app.paths import rerun_command
+    from silpose.recording import catalog
+    from silpose.recording.viewer.process import until_interrupted
+
+    with catalog(given.folder, given.port) as address:
+        print(f"Open it:  {rerun_command()} {address}   (until Ctrl-C)", flush=True)
+        until_interrupted()
+
+
 def _repair(given: argparse.Namespace) -> None:
     from silpose.recording import repair
 
@@ -162,6 +177,7 @@ TOOLS = {
     "compare": Tool("RUN…", "runs on one timeline, in one recording", _compare_options, _compare),
     "picture": Tool("RUN", "a frame of a recording, without a screen", _picture_options, _picture),
     "film": Tool("RUN", "a stretch of a recording as GIF or MP4", _film_options, _film),
+    "catalog": Tool("[FOLDER]", "recordings as a table in Rerun", _catalog_options, _catalog),
     "serve": Tool("[FOLDER]", "runs in the browser, on this machine only", _serve_options, _serve),
     "repair": Tool("RUN", "salvage a recording that was cut off", _one_run, _repair),
     "settings": Tool("[GROUP]", "what can be set, and what it means", _settings_options, _settings),

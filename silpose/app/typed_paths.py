@@ -5,11 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-PATHS = (
+FILES = (
     *("silhouette.source", "model", "motion.root", "dataset.path", "dataset.cache"),
-    *("recording.root", "into", "pattern"),
+    *("recording.root", "into"),
 )
-"""Settings that are paths."""
+"""Settings that are paths of files or folders."""
+
+PATHS = (*FILES, "pattern")
+"""Settings that are read as paths are."""
 
 _READY = re.compile(r"'.*'|\".*\"|\$\{[^{}]*\}|null|\?\?\?|", re.DOTALL)
 

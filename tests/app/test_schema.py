@@ -138,7 +138,8 @@ def test_every_parameter_is_settable_and_arrives(
         folder = build(group, plain(settings)[group], experiment="any")
         arrived = {
             "root": folder.folder.parent.parent.name,
-            "name": folder.name,
+            "name": folder.folder.name,
+            "sweep": folder.folder.parent.name,
             "sinks": list(folder.sinks.kinds),
             "viewer_port": folder.sinks.viewer_port,
             "web_port": folder.sinks.web_port,

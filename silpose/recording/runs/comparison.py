@@ -92,6 +92,8 @@ def _below(name: str, chunk: Chunk) -> Chunk:
 
 def _names(runs: Sequence[FinishedRun]) -> list[str]:
     names = [run.folder.name for run in runs]
+    if len(set(names)) < len(names):  # of several sweeps
+        names = [f"{run.folder.absolute().parent.name}-{run.folder.name}" for run in runs]
     if len(set(names)) < len(names):
         twice = max(names, key=names.count)
         raise InputError(f"two of the runs are called '{twice}': name runs by recording.name=NAME")

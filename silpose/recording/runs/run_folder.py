@@ -20,7 +20,7 @@ class RunFolder:
     Attributes
     ----------
     experiment, name : str
-        The folder is ``<root>/<experiment>/<name>``.
+        The folder is ``<root>/<experiment>/<name>``; in a sweep the name is ``<sweep>/<run>``.
     folder : Path
     settings : str
         The run's settings as YAML.
@@ -42,6 +42,7 @@ class RunFolder:
         *,
         root: str = "recordings",
         name: str | None = None,
+        sweep: str | None = None,
         sinks: Sequence[str] = ("file",),
         viewer_port: int = 9876,
         web_port: int = 9090,
@@ -57,6 +58,9 @@ class RunFolder:
             Runs go to ``<root>/<experiment>/<name>/``.
         name : str or None, default=None
             Name of the run; None takes the next free number.
+        sweep : str or None, default=None
+            Name of the sweep that the run is part of; its runs go to
+            ``<root>/<experiment>/<sweep>/<name>/``. None names a sweep by what it varies.
         sinks : sequence of str, default=("file",)
             Where the recording goes, any of ``file``, ``viewer``, ``web``; ``[]`` records nothing.
         viewer_port : int, default=9876
@@ -70,9 +74,11 @@ class RunFolder:
             If the folder cannot be written to, or a parameter has no such value.
         """
         opened = Sinks(sinks, viewer_port, web_port)
-        if name is not None and Path(name).name != name:
-            raise InputError(f"recording.name must be the name of one folder, not '{name}'")
-        parent = Path(root) / experiment
+        for key, value in (("name", name), ("sweep", sweep)):
+            if value is not None and Path(value).name != value:
+                raise InputError(f"recording.{key} must be the name of one folder, not '{value}'")
+        above = Path(root) / experiment
+        parent = above / sweep if sweep else above
         try:
             parent.mkdir(parents=True, exist_ok=True)
             folder = _new_folder(parent, name)
@@ -83,7 +89,7 @@ class RunFolder:
             raise InputError(
                 f"cannot write to '{parent}' ({error.strerror}): choose another recording.root"
             ) from error
-        return cls(experiment, folder.name, folder, settings, opened)
+        return cls(experiment, folder.relative_to(above).as_posix(), folder, settings, opened)
 
     def abandon(self) -> None:
         """Remove the folder if nothing was finished in it."""
