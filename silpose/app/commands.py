@@ -14,11 +14,9 @@ from silpose.app.pictures import (
     picture_options,
     recording_of,
 )
+from silpose.app.served import catalog, catalog_options, root_option, serve, serve_options
 from silpose.core.stage_lines import stage_lines
 from silpose.core.stages import stage
-
-RECORDINGS = Path("recordings")
-"""Where runs are if nothing else is said; it need not be there yet."""
 
 _NAMED = 4  # runs, at most, that are all in the name of their comparison
 
@@ -86,25 +84,6 @@ def _compare(given: argparse.Namespace) -> None:
     with stage_lines(), stage("comparing"):
         compare(runs, output, given.method)
     _say_how_to_open(output)
-
-
-def _root(verb: argparse.ArgumentParser) -> None:
-    of_runs = "of runs, 'recordings' by default"
-    verb.add_argument(
-        "folder", nargs="?", type=Path, default=RECORDINGS, metavar="FOLDER", help=of_runs
-    )
-
-
-def _serve_options(verb: argparse.ArgumentParser) -> None:
-    _root(verb)
-    verb.add_argument("--port", type=int, default=9090)
-
-
-def _serve(given: argparse.Namespace) -> None:
-    from silpose.experiments.catalogue import CATALOGUE
-    from silpose.recording import serve
-
-    serve(given.folder, given.port, {name: entry.question for name, entry in CATALOGUE.items()})
 
 
 def _repair(given: argparse.Namespace) -> None:
@@ -189,7 +168,7 @@ def _completion(given: argparse.Namespace) -> None:
 _RUN = "recordings/tracking/001"
 
 TOOLS = {
-    "list": Tool("[FOLDER]", "experiments with their questions, and runs", _root, _list, ""),
+    "list": Tool("[FOLDER]", "experiments with their questions, and runs", root_option, _list, ""),
     "open": Tool(
         "[RUN]",
         "a run's recording in the viewer, the newest by default",
@@ -218,8 +197,15 @@ TOOLS = {
         paint_film,
         f"{_RUN} --view true --last 90",
     ),
+    "catalog": Tool(
+        "[FOLDER]",
+        "recordings as a table in the viewer",
+        catalog_options,
+        catalog,
+        "recordings/tracking",
+    ),
     "serve": Tool(
-        "[FOLDER]", "runs in the browser, on this machine only", _serve_options, _serve, ""
+        "[FOLDER]", "runs in the browser, on this machine only", serve_options, serve, ""
     ),
     "repair": Tool("RUN", "salvage a recording that was cut off", _one_run, _repair, _RUN),
     "paper": Tool(

@@ -20,13 +20,15 @@ from silpose.app.typed_paths import with_paths_quoted
 from silpose.core.errors import InputError
 
 
-def load(overrides: Sequence[str] = ()) -> DictConfig:
+def load(overrides: Sequence[str] = (), *, with_hydra: bool = False) -> DictConfig:
     """Compose the settings, as the command line does.
 
     Parameters
     ----------
     overrides : sequence of str, default=()
         Such as ``"motion=bvh"`` or ``"regression.rvm.nu=3"``.
+    with_hydra : bool, default=False
+        Whether Hydra's own settings are among them, as ``hydra``.
 
     Returns
     -------
@@ -39,7 +41,7 @@ def load(overrides: Sequence[str] = ()) -> DictConfig:
     """
     overrides = with_paths_quoted(overrides)
     try:
-        settings = _compose(overrides)
+        settings = _compose(overrides, with_hydra)
     except HydraException as error:
         raise InputError(explain(error, overrides)) from error
     check_overrides(settings, overrides)

@@ -1,4 +1,4 @@
-"""The job that Hydra runs: one experiment, or in a sweep one after the other."""
+"""The job that Hydra runs: one experiment, or in a sweep many."""
 
 from __future__ import annotations
 
@@ -30,12 +30,14 @@ def run_job() -> None:
 
 def _job(settings: DictConfig) -> float | None:
     """Run an experiment; the number is what a sweep minimises."""
-    in_sweep = HydraConfig.get().mode == RunMode.MULTIRUN
+    own = HydraConfig.get()
+    if own.mode == RunMode.MULTIRUN:
+        from silpose.app.sweep.engines import runs_alone
+        from silpose.app.sweep.job import run_in_sweep
+
+        return run_in_sweep(settings, own.overrides.task, runs_alone(own.launcher))
     try:
-        overrides = HydraConfig.get().overrides.task
-        check_overrides(settings, overrides)
-        if in_sweep:
-            print(*overrides)
+        check_overrides(settings, own.overrides.task)
         with stage("loading"):
             from silpose.app.run import run_experiment  # heavy: only once the overrides are right
             from silpose.app.summary import summarise
@@ -43,11 +45,9 @@ def _job(settings: DictConfig) -> float | None:
         run = run_experiment(settings)
         summarise(run)
     except Exception as error:
-        # Hydra would add lines of its own. In a sweep they say which job it was, and the other
-        # jobs go on.
-        if settings.debug or in_sweep:
+        if settings.debug:
             raise
-        raise SystemExit(sentence(error)) from None
+        raise SystemExit(sentence(error)) from None  # to which Hydra adds no lines of its own
     return run.headline
 
 

@@ -62,12 +62,16 @@ def _run_hydra(arguments: Sequence[str]) -> None:
     with stage_lines():
         with stage("loading"):
             from silpose.app.job import go_on_showing, run_job
+            from silpose.app.sweep.command import is_sweep, run_sweep
             from silpose.app.typed_paths import with_paths_quoted
 
         overrides = [a for a in arguments if a[:1] in "+~" or ("=" in a and not a.startswith("-"))]
         options = [a for a in arguments if a not in overrides]
-        sweep = bool({"-m", "--multirun"} & set(options))
+        sweep = is_sweep(options, overrides)
         overrides = with_paths_quoted(overrides, sweep)
+        if sweep:
+            run_sweep(options, overrides)
+            return
         sys.argv[1:] = [*options, *overrides]  # where Hydra reads them, in this order only
         run_job()
         go_on_showing()

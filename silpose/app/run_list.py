@@ -9,8 +9,8 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from silpose.app.commands import RECORDINGS
 from silpose.app.paths import shorten_path
+from silpose.app.served import RECORDINGS
 from silpose.experiments.catalogue import CATALOGUE
 from silpose.recording import FinishedRun, find_runs
 

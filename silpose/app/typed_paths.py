@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-PATHS = (
+FILES = (
     *("silhouette.source", "model", "motion.root", "dataset.path", "dataset.cache"),
-    *("recording.root", "recording.name", "into", "pattern", "cache"),
+    *("recording.root", "into", "cache"),
     *("silhouette.video.background", "silhouette.video.environment"),
 )
-"""Settings that are paths."""
+"""Settings that are paths of files or folders."""
+
+PATHS = (*FILES, "recording.name", "pattern")
+"""Settings that are read as paths are."""
 
 _READY = re.compile(r"'.*'|\".*\"|\$\{[^{}]*\}|null|\?\?\?|", re.DOTALL)
 

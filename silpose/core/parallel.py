@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from os import cpu_count, getpid
 from typing import Literal, TypeVar
 
@@ -22,6 +23,23 @@ Outcome = TypeVar("Outcome")
 
 
 _most_threads = 1_000_000  # of `thread_map`
+_serial = False  # within `one_worker`
+
+
+@contextmanager
+def one_worker() -> Iterator[None]:
+    """Do all work inside one after the other, on one thread, whatever number of jobs is asked for.
+
+    For a process that is one of several workers itself.
+    """
+    global _most_threads, _serial
+    before = _most_threads, _serial
+    _most_threads, _serial = 1, True
+    try:
+        with threadpool_limits(1):
+            yield
+    finally:
+        _most_threads, _serial = before
 
 
 def parallel_map(
@@ -53,7 +71,7 @@ def parallel_map(
     outcomes : list
         In the order of the items.
     """
-    _, n_jobs = get_active_backend()  # which a preference for threads alone would ignore
+    n_jobs = _jobs()
     workers = Parallel(n_jobs, prefer=prefer, return_as="generator")
     outcomes = []
     with threadpool_limits(1), bar(description, len(items)) as advance:
@@ -80,7 +98,7 @@ def parallel_stream(
     outcome : object
         As soon as it is there: not in the order of the items, and none is kept.
     """
-    _, n_jobs = get_active_backend()
+    n_jobs = _jobs()
     workers = Parallel(n_jobs, return_as="generator_unordered")
     with threadpool_limits(1), bar(description, len(items)) as advance:
         for outcome in workers(delayed(_on_one_thread)(function, item, getpid()) for item in items):
@@ -113,6 +131,12 @@ def thread_map(
     with ThreadPoolExecutor(threads) as pool:
         done = pool.map(lambda block: [function(int(index)) for index in block], blocks)
         return [outcome for block in done for outcome in block]
+
+
+def _jobs() -> int | None:
+    """Return the number of workers; a preference for threads alone would ignore what is set."""
+    wanted: int | None = get_active_backend()[1]
+    return 1 if _serial else wanted
 
 
 def _on_one_thread(function: Callable[[Item], Outcome], item: Item, caller: int) -> Outcome:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import warnings
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
+from zipfile import BadZipFile
 
 import numpy as np
+from filelock import FileLock
 
 from silpose.core.array_files import read_npz
 from silpose.core.atomic_files import writing
@@ -57,28 +61,49 @@ class DescriptorCache:
         descriptor : ShapeContextHistogram
             Fitted.
         z : list of ndarray, each (F, d)
-            Instead of both, None where nothing is cached.
+            Instead of both, None where nothing is cached. A file that is damaged is none, and a
+            warning names it.
         """
         if not self.file.is_file():
             return None
         try:
             arrays = read_npz(self.file)
             z = arrays.pop("z")
-        except (KeyError, ValueError) as error:
-            raise InputError(f"'{self.file}' is damaged ({error}): remove it") from error
+            descriptor = ShapeContextHistogram.from_arrays(arrays)
+        except (OSError, EOFError, ValueError, KeyError, TypeError, BadZipFile) as error:
+            reason = f"{type(error).__name__}: {error}"
+            warnings.warn(
+                f"'{self.file}' is damaged ({reason}): masks are described anew", stacklevel=2
+            )
+            return None
         if len(z) != sum(lengths):
             return None
-        descriptor = ShapeContextHistogram.from_arrays(arrays)
         return descriptor, np.split(z, np.cumsum(lengths)[:-1])
 
-    def store(self, descriptor: ShapeContextHistogram, z: Sequence[Array]) -> None:
-        """Write the fitted descriptor and z (F, d) of every take."""
+    @contextmanager
+    def building(self) -> Iterator[None]:
+        """Let one process alone build the cache; the others wait until it has, or has died.
+
+        Raises
+        ------
+        InputError
+            If the folder cannot be written to.
+        """
         try:
             self.file.parent.mkdir(parents=True, exist_ok=True)
+            lock = FileLock(self.file.with_suffix(".lock"))
+            lock.acquire()
         except OSError as error:
             raise InputError(
                 f"cannot write to '{self.file.parent}' ({error.strerror}): "
                 "choose another dataset.cache"
             ) from error
+        try:
+            yield
+        finally:
+            lock.release()
+
+    def store(self, descriptor: ShapeContextHistogram, z: Sequence[Array]) -> None:
+        """Write the fitted descriptor and z (F, d) of every take, while `building`."""
         with writing(self.file) as path:
             np.savez(path, z=np.concatenate(z), **descriptor.to_arrays())

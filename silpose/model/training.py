@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from silpose.core.stages import timed
 from silpose.core.types import Array, Examples, Metrics
-from silpose.dataset import Dataset
+from silpose.dataset import Dataset, Take
 from silpose.descriptor import ShapeContextHistogram
 from silpose.evaluation import baselines, measure
 from silpose.model.confidence import Confidence, train_confidence
@@ -181,21 +181,30 @@ def describe_dataset(
     descriptor : ShapeContextHistogram
         Never changed: a copy is fitted to the training masks.
     cache : DescriptorCache, optional
-        Both are read from it, if it holds them, and else written to it.
+        Both are read from it, if it holds them, and else written to it. Of several processes
+        that need the same, one writes it and the others read it.
     """
     splits = [data.train, data.validation, data.test]
-    cached = cache.fetch([len(take) for split in splits for take in split]) if cache else None
-    if cached:
-        fitted: ShapeContextHistogram | None = cached[0]
-        z = cached[1]
+    lengths = [len(take) for split in splits for take in split]
+    if cache is None or not any(take.has_masks for take in data.train):
+        fitted, z = _described(splits, descriptor)
     else:
-        fitted = fit_descriptor(descriptor, data.train)
-        z = [own for split in splits for own in describe(fitted, split)]
-        if cache and fitted is not None:
-            cache.store(fitted, z)
+        with cache.building():
+            cached = cache.fetch(lengths)
+            fitted, z = cached or _described(splits, descriptor)
+            if cached is None and fitted is not None:
+                cache.store(fitted, z)
     rest = iter(z)
     parts = ([(next(rest), take.x) for take in split] for split in splits)
     return DescribedDataset(data, fitted, *parts)
+
+
+def _described(
+    splits: Sequence[Sequence[Take]], descriptor: ShapeContextHistogram
+) -> tuple[ShapeContextHistogram | None, list[Array]]:
+    """Fit a descriptor to the first split, and describe the takes of all."""
+    fitted = fit_descriptor(descriptor, splits[0])
+    return fitted, [own for split in splits for own in describe(fitted, split)]
 
 
 @timed("evaluation")

@@ -138,7 +138,8 @@ def test_every_parameter_is_settable_and_arrives(
         folder = build(group, plain(settings)[group], experiment="any")
         arrived = {
             "root": folder.folder.parent.parent.name,
-            "name": folder.name,
+            "name": folder.folder.name,
+            "sweep": folder.folder.parent.name,
             "sinks": list(folder.sinks.kinds),
             "viewer_port": folder.sinks.viewer_port,
             "web_port": folder.sinks.web_port,
@@ -181,7 +182,8 @@ def values_in(file):
     group = file.parent.relative_to(config_folder()).as_posix().replace("/", ".")
     prefix = "" if "@package _global_" in text else f"{group}."
     content = yaml.safe_load(text) or {}
-    content.pop("defaults", None)
+    for name in ("defaults", "hydra"):  # which are no settings
+        content.pop(name, None)
 
     def leaves(tree, above):
         for key, value in tree.items():

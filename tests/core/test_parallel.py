@@ -7,7 +7,7 @@ import pytest
 from joblib import parallel_config
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from silpose.core.parallel import parallel_map, parallel_stream, thread_map
+from silpose.core.parallel import one_worker, parallel_map, parallel_stream, thread_map
 
 WAYS = [(None, "processes"), (2, "threads"), (2, "processes")]
 
@@ -86,3 +86,17 @@ def test_threads_of_several_processes_do_not_compete():
     with parallel_config(n_jobs=2):
         assert [len(found) for found in parallel_map(threads, range(2))] == [1, 1]
     assert len(threads(0)) >= 1
+
+
+def test_one_worker_works_alone_whatever_is_asked_for():
+    def where(_):
+        threads = [p["num_threads"] for p in threadpool_info() if p["user_api"] == "blas"]
+        return os.getpid(), threading.get_ident(), max(threads)
+
+    alone = {(os.getpid(), threading.get_ident(), 1)}
+    with threadpool_limits(2), workers(2):
+        with one_worker():
+            assert set(parallel_map(where, range(4))) == alone
+            assert set(parallel_stream(where, range(4))) == alone
+            assert set(thread_map(where, 4, n_jobs=2)) == alone
+        assert os.getpid() not in {pid for pid, *_ in parallel_map(where, range(4))}

@@ -11,6 +11,7 @@ from silpose.core.lazy_exports import lazy_exports
 if TYPE_CHECKING:
     from silpose.recording.runs.comparison import compare
     from silpose.recording.runs.finished_run import FinishedRun, load_poses, load_run, runs_table
+    from silpose.recording.runs.rerun_catalog import catalog
     from silpose.recording.runs.result import Recording, Result
     from silpose.recording.runs.run_folder import RunFolder
     from silpose.recording.runs.runs_below import find_runs, newest_run
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 __getattr__ = lazy_exports(
     __name__,
     {
+        "rerun_catalog": ("catalog",),
         "comparison": ("compare",),
         "finished_run": ("FinishedRun", "load_poses", "load_run", "runs_table"),
         "result": ("Recording", "Result"),
@@ -36,6 +38,7 @@ __all__ = [
     "Recording",
     "Result",
     "RunFolder",
+    "catalog",
     "compare",
     "find_runs",
     "load_poses",

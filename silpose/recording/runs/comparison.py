@@ -91,7 +91,10 @@ def _below(name: str, chunk: Chunk) -> Chunk:
 
 def _names(runs: Sequence[FinishedRun]) -> list[str]:
     names = [run.folder.name for run in runs]
-    if len(set(names)) < len(names):
+    if len(set(names)) == len(names):
+        return names
+    longer = [f"{run.folder.absolute().parent.name}-{run.folder.name}" for run in runs]
+    if len(set(longer)) < len(longer):
         twice = max(names, key=names.count)
         raise InputError(f"two of the runs are called '{twice}': name runs by recording.name=NAME")
-    return names
+    return longer  # of several sweeps

@@ -17,6 +17,7 @@ from silpose.core.atomic_files import unfinished
 from silpose.core.errors import InputError
 from silpose.core.types import Array, Metrics
 from silpose.recording.runs.setting_differences import differing, parsed
+from silpose.recording.runs.sweep_folder import run_folders
 
 if TYPE_CHECKING:
     from silpose.model import PoseModel
@@ -184,20 +185,23 @@ def runs_table(root: str | Path = "recordings") -> Any:
     Parameters
     ----------
     root : path, default="recordings"
+        Folder of recordings, or of one sweep.
 
     Returns
     -------
     table : pandas.DataFrame
-        A row per run, by ``experiment`` and ``run``: ``complete``, ``dataset``, ``seed``,
-        ``seconds``, each headline value as ``method.name``, and by their full names the settings
-        in which runs of one experiment differ. A run that was cut off has its names only.
+        A row per run, by ``experiment`` and ``run`` (in a sweep ``<sweep>/<run>``): ``complete``,
+        ``dataset``, ``seed``, ``seconds``, each headline value as ``method.name``, and by their
+        full names the settings in which runs of one experiment differ. A run that was cut off has
+        its names only.
     """
     pandas = _pandas()
     if not Path(root).is_dir():
         raise InputError(f"there is no folder '{root}': give the one that holds the runs")
-    folders = [folder for folder in sorted(Path(root).glob("*/*")) if folder.is_dir()]
-    rows = [_row(folder) for folder in folders]
-    for _, own in groupby(zip(folders, rows, strict=True), lambda run: run[0].parent):
+    found = list(run_folders(Path(root)))
+    rows = [_row(*run) for run in found]
+    of_runs = ((folder, row) for (_, _, folder), row in zip(found, rows, strict=True))
+    for _, own in groupby(of_runs, lambda run: run[1]["experiment"]):
         _add_varied([run for run in own if run[1]["complete"]])
     columns = None if rows else ["experiment", "run", "complete"]
     return pandas.DataFrame(rows, columns=columns).set_index(["experiment", "run"])
@@ -211,8 +215,8 @@ def _pandas() -> Any:
     return pandas
 
 
-def _row(folder: Path) -> dict[str, Any]:
-    row: dict[str, Any] = {"experiment": folder.parent.name, "run": folder.name, "complete": False}
+def _row(experiment: str, run: str, folder: Path) -> dict[str, Any]:
+    row: dict[str, Any] = {"experiment": experiment, "run": run, "complete": False}
     try:
         content = json.loads((folder / "metrics.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):

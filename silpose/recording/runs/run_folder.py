@@ -21,7 +21,7 @@ class RunFolder:
     Attributes
     ----------
     experiment, name : str
-        The folder is ``<root>/<experiment>/<name>``.
+        The folder is ``<root>/<experiment>/<name>``; in a sweep the name is ``<sweep>/<run>``.
     folder : Path
     settings : str
         The run's settings as YAML.
@@ -53,6 +53,7 @@ class RunFolder:
         *,
         root: str = "recordings",
         name: str | None = None,
+        sweep: str | None = None,
         sinks: Sequence[str] = ("file",),
         viewer_port: int = 9876,
         web_port: int = 9090,
@@ -71,6 +72,9 @@ class RunFolder:
             Runs go to ``<root>/<experiment>/<name>/``.
         name : str or None, default=None
             Name of the run; None takes the next free number.
+        sweep : str or None, default=None
+            Name of the sweep that the run is part of; its runs go to
+            ``<root>/<experiment>/<sweep>/<name>/``. None names a sweep by what it varies.
         sinks : sequence of str, default=("file",)
             Where the recording goes, any of ``file``, ``viewer``, ``web``; ``[]`` records nothing.
         viewer_port : int, default=9876
@@ -87,9 +91,11 @@ class RunFolder:
             If the folder cannot be written to, or a parameter has no such value.
         """
         opened = Sinks(sinks, viewer_port, web_port)
-        if name is not None and not _names_a_folder(name):
-            raise InputError(f"recording.name must be the name of one folder, not {name!r}")
-        parent = Path(root) / experiment
+        for key, value in (("name", name), ("sweep", sweep)):
+            if value is not None and not _names_a_folder(value):
+                raise InputError(f"recording.{key} must be the name of one folder, not {value!r}")
+        above = Path(root) / experiment
+        parent = above / sweep if sweep else above
         try:
             parent.mkdir(parents=True, exist_ok=True)
             is_new = name is None or not (parent / name).exists()
@@ -101,9 +107,8 @@ class RunFolder:
             raise InputError(
                 f"cannot write to '{parent}' ({error.strerror}): choose another recording.root"
             ) from error
-        return cls(
-            experiment, folder.name, folder, settings, opened, keep_pictures, defaults, is_new
-        )
+        own = folder.relative_to(above).as_posix()
+        return cls(experiment, own, folder, settings, opened, keep_pictures, defaults, is_new)
 
     def claimed(self) -> AbstractContextManager[None]:
         """Keep other runs out while the context lasts; an error if one is there."""

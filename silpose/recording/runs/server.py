@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -13,7 +12,7 @@ from typing import Any
 
 from silpose.core.errors import InputError
 from silpose.recording.runs.index_page import index_page
-from silpose.recording.viewer.process import HOST, free_port, start, viewing
+from silpose.recording.viewer.process import HOST, free_port, start, until_interrupted, viewing
 
 
 @contextmanager
@@ -79,11 +78,7 @@ def serve(folder: str | Path, port: int = 9090, questions: Mapping[str, str] | N
     """
     with served(folder, port, questions) as address:
         print(f"Runs of '{folder}':  {address}   (Ctrl-C ends it)", flush=True)
-        signal.signal(signal.SIGTERM, signal.default_int_handler)  # like Ctrl-C
-        try:
-            threading.Event().wait()
-        except KeyboardInterrupt:
-            print()
+        until_interrupted()
 
 
 class _Files(SimpleHTTPRequestHandler):

@@ -12,6 +12,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from contextlib import suppress
 from pathlib import Path
@@ -170,6 +171,14 @@ def wait() -> None:
         for process in _servers.values():
             process.wait()
     stop()
+
+
+def until_interrupted() -> None:
+    """Wait for Ctrl-C."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # like Ctrl-C
+    with suppress(KeyboardInterrupt):
+        threading.Event().wait()
+    print()
 
 
 def stop() -> None:
