@@ -31,7 +31,6 @@ Knowledge = Literal["known", "estimated"]
 # Standard deviations of what is not known: a frame's log scale, from where the take's frames have
 # it, as the person comes nearer; elevation and shape.
 _SCALE, _ELEVATION_DEG, _SHAPE = 0.03, 2.5, 0.7
-_BETWEEN = 3  # frames of a take of which one is fitted from all starts
 _SOME = 16  # frames that tell whether clothes are worn
 _LONG = 10.0  # seconds after which estimates err anew
 _BARE = 0.5  # pixels that the outline is off up to which masks are those of a bare body
@@ -146,7 +145,7 @@ class BodyFitter:
         return problem
 
     def _solve(self, problem: Problem, step_seconds: float) -> Fit:
-        modes = problem.modes(_BETWEEN if self.whole_take else 1)
+        modes = problem.modes()
         if self.whole_take:
             modes = with_carried(problem, modes)
         parameters, covariance = problem.path_through(modes, step_seconds)

@@ -35,7 +35,8 @@ class Fit:
     shape : ndarray, shape (10,)
         Shape coefficients of the body.
     modes : ndarray, shape (F, k, 55)
-        Where the starts of each frame lead by itself, the most probable first; NaN is none.
+        Where the starts of each frame lead by itself, the most probable first; NaN is none. Starts
+        that lead nowhere are left out.
     mode_weights : ndarray, shape (F, k)
         Their probabilities; 0 where there is none.
     evidence : ndarray, shape (F, 9)

@@ -17,7 +17,7 @@ from silpose.fitting.view import View
 _WIDEST = 2.0  # factor of the outlier scale at first
 _NARROWING = 2.0  # iterations until it is smaller by 1
 _TRIAL = 3  # iterations after which starts are given up
-_HOPELESS = 30.0  # that cost so much more than the best one,
+_HOPELESS = 60.0  # that cost so much more than the best one,
 _ALIKE = np.deg2rad(1.0)  # or differ so little in the mean angle from a cheaper one
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -71,8 +71,6 @@ class Problem:
     frames : ndarray of int
         Those that have a contour and a start.
     iterations : int
-    shared : ndarray, shape (11,)
-        Elevation and shape that all frames have as they are fitted by themselves.
     """
 
     geometry: Geometry
@@ -87,31 +85,22 @@ class Problem:
     contours: Sequence[Contour]
     frames: Indices
     iterations: int
-    shared: Array = field(default_factory=lambda: np.zeros(PARAMETERS - ELEVATION))
 
     @property
     def view(self) -> View:
         """The camera at the working size."""
         return self.working.view(self.camera_view)
 
-    @cached_property
-    def _body(self) -> tuple[Geometry, View]:
-        """Body and camera of frames that are fitted by themselves."""
-        if len(self.free) == 0:
-            return self.geometry, self.view
-        every = np.concatenate([np.zeros(ELEVATION), self.shared])
-        return shaped_by(every, self.geometry), seen_by(every, self.view)
-
     def with_aligned_starts(self) -> Problem:
         """Place the body where the contours are, where the camera is not known.
 
         The image's scale is one for all frames: the median of what their starts need.
         """
-        starts = self.starts.copy()
+        starts, seen = self.starts.copy(), (self.geometry, self.view)
         for frame in self.frames:
             for start in starts[frame]:
                 if np.isfinite(start[0]):
-                    start[:] = aligned(start, self.roots[frame], self.contours[frame], *self._body)
+                    start[:] = aligned(start, self.roots[frame], self.contours[frame], *seen)
         starts[..., LOG_SCALE] = np.median(starts[self.frames, 0, LOG_SCALE])
         return replace(self, starts=starts)
 
@@ -121,19 +110,14 @@ class Problem:
         return replace(self, frames=self.frames[np.unique(places.round().astype(int))])
 
     def complete(self, parameters: Array) -> Array:
-        """Append what all frames share to parameters (n, 57); where all is known nothing."""
+        """Append the expected elevation and shape to parameters (n, 57); if known nothing."""
         if len(self.free) == 0:
             return parameters
-        shared = np.broadcast_to(self.shared, (len(parameters), len(self.shared)))
-        return np.concatenate([parameters, shared], axis=1)
+        return np.pad(parameters, [(0, 0), (0, PARAMETERS - ELEVATION)])
 
-    def modes(self, every: int = 1) -> list[Modes]:
-        """Fit every frame of `frames` by itself, one of `every` from all its starts.
-
-        The others are fitted from the first two, which are the better ones.
-        """
-        wanted = [(frame, None if k % every == 0 else 2) for k, frame in enumerate(self.frames)]
-        return parallel_map(lambda own: self._modes(*own), wanted, prefer="threads")
+    def modes(self) -> list[Modes]:
+        """Fit every frame of `frames` by itself."""
+        return parallel_map(self._modes, list(self.frames), prefer="threads")
 
     @cached_property
     def _precision(self) -> Array:
@@ -144,7 +128,10 @@ class Problem:
 
     def costs_of_turning(self, parameters: Array) -> Array:
         """How much worse each frame is explained by its body (n, P) turned around, (n,)."""
-        geometry, view = replace(self, shared=parameters[0, ELEVATION:])._body
+        geometry, view = self.geometry, self.view
+        if len(self.free):
+            shared = np.concatenate([np.zeros(ELEVATION), parameters[0, ELEVATION:]])
+            geometry, view = shaped_by(shared, geometry), seen_by(shared, view)
         parameters = np.ascontiguousarray(parameters[:, :ELEVATION])
         mean = np.concatenate([self._means[:, :ANGLES], parameters[:, ANGLES:]], axis=1)
         precision, iterations = self._precision, max(1, self.iterations // 2)
@@ -222,14 +209,15 @@ class Problem:
         """Fit one frame from starts (S, P), of which those that lead nowhere are left out."""
         parts = fit_starts(
             starts, self.starts[frame, 0], self._precision, self.roots[frame],
-            self.contours[frame], *self._body, self.matching, self.iterations, cheapest,
+            self.contours[frame], self.geometry, self.view, self.matching, self.iterations,
+            cheapest,
         )  # fmt: skip
         ends = [(*end, float(cost)) for *end, cost in zip(*parts, strict=True)]
         return [end for end in ends if not np.isnan(end[2])]
 
-    def _modes(self, frame: int, count: int | None) -> Modes:
-        """Where some starts of a frame lead, and the best of these with its legs swapped."""
-        starts = self.starts[frame, :count]
+    def _modes(self, frame: int) -> Modes:
+        """Where the starts of a frame lead, and the best of these with its legs swapped."""
+        starts = self.starts[frame]
         ends = self.ends(frame, starts[np.isfinite(starts[:, 0])])
         if len(starts) > 1:
             best, _, cost = min(ends, key=lambda end: end[2])

@@ -35,7 +35,7 @@ def study_layout(title: str | None, frames_per_second: float, masks: bool = Fals
     """
     if title is None:
         return blueprint([figure_view(), texts_view()], [2.4, 1], frames_per_second)
-    below: rrb.Container | rrb.View = series_view(title, [f"{entity_paths.ERROR}/**"])
+    below: rrb.Container | rrb.View = series_view(title, [f"{entity_paths.ERROR}/**"], legend=True)
     if masks:
         below = rrb.Horizontal(mask_view("silhouette"), below, column_shares=[1, 2.4])
     shown = rrb.Vertical(figure_view(), below, row_shares=[1.6, 1])

@@ -123,7 +123,8 @@ def _turns(archive: Archive) -> tuple[Array, tuple[str, ...]]:
     if (key := archive.first(_POSES)) is None and body and root:
         key = body
         parts = [archive.numbers(name) for name in (root, body)]
-        if len(parts[0]) != len(parts[1]) or parts[0].size != 3 * len(parts[0]):
+        empty = any(part.ndim == 0 or not len(part) for part in parts)
+        if empty or len(parts[0]) != len(parts[1]) or parts[0].size != 3 * len(parts[0]):
             raise archive.refuse(
                 f"'{root}' has shape {parts[0].shape} and '{body}' {parts[1].shape}; expected "
                 "(frames, 3) and (frames, 63)"

@@ -174,3 +174,12 @@ def test_takes_have_the_limbs_and_the_heading_of_the_file(tmp_path, small_amass)
     x = raw.rotations[:, 0, :, 0]  # the pelvis's, whose heading counts
     heading = np.rad2deg(np.arctan2(x[:, 1], x[:, 0]))
     assert np.abs(wrap_degrees(heading - take.angles[:, 0])).max() < 0.01
+
+
+@pytest.mark.parametrize("shape", [(0, 3), ()])
+def test_no_frames_in_two_arrays_are_refused(tmp_path, shape):
+    file = tmp_path / "empty.npz"
+    arrays = {"root_orient": np.zeros(shape), "pose_body": np.zeros(shape)}
+    np.savez(file, trans=np.zeros((0, 3)), mocap_framerate=30, **arrays)
+    with pytest.raises(InputError, match=r"'root_orient' has shape"):
+        read_amass(file)
