@@ -82,12 +82,13 @@ class FrameLogger:
         self.static(entity, rr.SeriesLines(colors=colour, names=name, widths=width))
         wraps = 1 + np.flatnonzero(np.abs(np.diff(degrees)) > 180)
         frames = np.insert(np.arange(self._frames), wraps, wraps)
-        values = np.insert(degrees, wraps, np.nan)
+        counts = np.insert(np.ones(self._frames, int), wraps, 0)  # a row without a value is a gap
         index = [
             rr.TimeColumn("frame", sequence=frames),
             rr.TimeColumn("time", duration=self._times[frames]),
         ]
-        self._recording.send_columns(entity, index, rr.Scalars.columns(scalars=values))
+        columns = rr.Scalars.columns(scalars=degrees).partition(counts)
+        self._recording.send_columns(entity, index, columns)
 
     def errors(self, by_method: Mapping[str, Array]) -> None:
         """Log each method's distance of true and estimated poses, ``(F,)``."""
