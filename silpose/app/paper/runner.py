@@ -104,7 +104,7 @@ def run_paper(options: PaperOptions, *, n_jobs: int = -1) -> PaperReport:
 
 def _do(run: _Run) -> tuple[str, str]:
     """Run a part, in whatever process this is; its name, and why it failed if it did."""
-    from silpose.app.main import sentence
+    from silpose.app.failures import sentence
 
     try:
         with warnings.catch_warnings():
