@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from threading import Thread
 from typing import Any
@@ -50,16 +51,15 @@ def recording_stream(
     kinds = header.sinks.kinds if header.sinks else ("file",)
     with writing(header.file) as path:
         live = connect(recording, header, layout)
-        try:
-            recording.set_sinks(rr.FileSink(path), *live, default_blueprint=layout)
-        except RuntimeError as error:
-            raise _not_whole(header.file, path) from error
+        begin = partial(recording.set_sinks, rr.FileSink(path), *live, default_blueprint=layout)
+        if not _ends(begin, path):
+            raise _not_whole(header.file, path)
         send_header(recording, header)
         try:
             yield recording
             delivered = not live or _delivered(recording)
         finally:
-            _close(recording, path)
+            _ends(recording.disconnect, path)
         _read_back(path, header.file)
     if not delivered:
         _warn_of_closed_viewer(header)
@@ -163,13 +163,24 @@ def _warn_of_closed_viewer(header: Header) -> None:
     )
 
 
-def _close(recording: rr.RecordingStream, file: Path) -> None:
-    """Finish the file; after a write that failed, Rerun may wait for ever though nothing comes."""
-    closing = Thread(target=recording.disconnect, daemon=True)
-    closing.start()
+def _ends(call: Callable[[], object], file: Path) -> bool:
+    """Whether a call that writes a file comes to its end.
+
+    After a write that failed, Rerun may wait for ever: it is left alone once the file is still.
+    """
+    done = []
+
+    def run() -> None:
+        with suppress(RuntimeError):
+            call()
+            done.append(True)
+
+    calling = Thread(target=run, daemon=True)
+    calling.start()
     size = -1
-    while closing.is_alive() and size != (size := file.stat().st_size):
-        closing.join(_STILL)
+    while calling.is_alive() and size != (size := file.stat().st_size):
+        calling.join(_STILL)
+    return bool(done)
 
 
 def _read_back(written: Path, file: Path) -> None:
