@@ -127,11 +127,12 @@ class TestFullDisk:
             for k in range(60):
                 logger.series(f"/error/{k}", masks[:, k], "a", (9, 9, 9))
 
-    def test_a_recording_is_whole_or_refused(self, tmp_path, limited, monkeypatch):
+    @pytest.mark.parametrize("sizes", [3, pytest.param(SIZES, marks=pytest.mark.long)])
+    def test_a_recording_is_whole_or_refused(self, tmp_path, limited, monkeypatch, sizes):
         monkeypatch.setattr(stream, "_STILL", 0.3)
         self.record(tmp_path / "whole.rrd")
         size = (tmp_path / "whole.rrd").stat().st_size
-        for limit in np.linspace(0, 0.98 * size, SIZES).astype(int):
+        for limit in np.linspace(0, 0.98 * size, sizes).astype(int):
             limited(limit)
             with pytest.raises(InputError, match=r"cannot write '.*a\.rrd' whole .*free some"):
                 self.record(tmp_path / "a.rrd")
