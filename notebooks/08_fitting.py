@@ -93,7 +93,7 @@ from silpose.model import PoseFitter
 from silpose.recording.figure_style import ESTIMATED
 
 joined = (np.concatenate(part) for part in zip(*train, strict=True))
-whole = PoseFitter(fitter, *joined, starts=3, usual_iou=0.97)
+whole = PoseFitter(fitter, *joined, starts=3)
 fit = whole.fit(test.masks, z, estimated, frames_per_second=test.frames_per_second)
 tracks = {"ridge": estimated, "fitted_take": fit.x}
 plt.figure(figsize=(12, 3))
