@@ -186,7 +186,8 @@ class PlainFrames:
     def _ground(self) -> float:
         """Height of the ground, below the root of a person who stands, metres."""
         assert self.estimated is not None, "there is a pose to draw"
-        return _LIFT - float(np.nanmean(self.space.standing_height(self.estimated)))
+        known = self.estimated[np.isfinite(self.estimated).all(axis=1)]
+        return _LIFT - float(self.space.standing_height(known).mean()) if len(known) else 0.0
 
     def _pose(self, x: Array | None, frame: int) -> Array | None:
         """Joints (J, 3) of a frame; None where there is no pose."""

@@ -1,4 +1,5 @@
 import io
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -56,3 +57,11 @@ def test_a_recording_without_masks_and_poses_is_refused(tmp_path):
     record_study(header, {"error": np.ones(3)}, "error", 15.0)
     with pytest.raises(InputError, match="neither masks nor poses"):
         PlainFrames.read(header.file)
+
+
+def test_frames_without_a_pose_are_drawn_without_one(frames):
+    x = frames.estimated.copy()
+    x[:2] = np.nan
+    for estimated in (x, np.full_like(x, np.nan)):
+        still = replace(frames, estimated=estimated).still(2)
+        assert Image.open(io.BytesIO(still)).size[0] > 0
