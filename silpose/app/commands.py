@@ -135,6 +135,8 @@ def _paper(given: argparse.Namespace) -> None:
         print(f"{part} failed: {reason}")
     counts = ", ".join(f"{count} {word}" for word, count in report.counts().items())
     print(f"Claims: {counts}. Read it:  {pasted(report.folder / 'report.html')}")
+    if report.failed:
+        raise SystemExit(1)
 
 
 def _settings_options(verb: argparse.ArgumentParser) -> None:
