@@ -3,30 +3,11 @@ import re
 
 import numpy as np
 import pytest
+from colour_blindness import SEEN
 
 from silpose.recording import palette
 from silpose.tracking import STATES
 
-# From linear RGB to what is seen with no red, green or blue cones: Machado, Oliveira and Fernandes
-# (2009), at full severity.
-SEEN = {
-    "usual": np.eye(3),
-    "protanopia": [
-        [0.152286, 1.052583, -0.204868],
-        [0.114503, 0.786281, 0.099216],
-        [-0.003882, -0.048116, 1.051998],
-    ],
-    "deuteranopia": [
-        [0.367322, 0.860646, -0.227968],
-        [0.280085, 0.672501, 0.047413],
-        [-0.011820, 0.042940, 0.968881],
-    ],
-    "tritanopia": [
-        [1.255528, -0.076749, -0.178779],
-        [-0.078411, 0.930809, 0.147602],
-        [0.004733, 0.691367, 0.303900],
-    ],
-}
 XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
 HUES = (palette.TRUE, palette.ESTIMATED, *palette.MODES)
 DARK, WHITE = (13, 16, 17), (255, 255, 255)  # of the viewer's themes
