@@ -83,6 +83,8 @@ def explain(error: HydraException, overrides: Sequence[str] = ()) -> str:
         return f"'{key[1]}' is a setting: write {key[1]}=… without '+'"
     if key := re.match(r"Multiple values for ([\w/]+)", message):
         return f"{key[1]} is chosen twice: write {key[1]}=… once, without '+'"
+    if several := re.match(r"Ambiguous value for argument '(.*)'", message):
+        return f"'{several[1]}' is more than one run: silpose -m {several[1]} makes each of them"
     if isinstance(error, OverrideParseException):
         return _unreadable(error.override)
     return message.splitlines()[0]

@@ -63,6 +63,7 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
         If a setting is wrong, or its value does not fit the data.
     """
     if not isinstance(settings, DictConfig):
+        _refuse_sweeps(settings)
         settings = load(settings)
     given = plain(settings)
     name = str(given.pop("experiment"))
@@ -96,3 +97,13 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
             raise InputError(f"{error}; '{folder.folder}' keeps {', '.join(kept)}") from error
         raise
     return load_run(folder.folder)
+
+
+def _refuse_sweeps(overrides: Sequence[str]) -> None:
+    """Refuse overrides that ask for many runs, which only the command makes."""
+    for override in overrides:
+        if override.startswith(("sweep=", "hydra/", "hydra.")) or override in ("-m", "--multirun"):
+            raise InputError(
+                f"'{override}' is for sweeps, which the command makes: silpose -m …, or call this "
+                "once for each run"
+            )

@@ -3,6 +3,7 @@ import yaml
 
 import silpose
 from silpose.app.config import load
+from silpose.core.errors import InputError
 
 
 def test_a_run_is_made_from_overrides_or_settings(fast, tmp_path):
@@ -41,3 +42,10 @@ def test_the_public_names_are_there():
         assert getattr(silpose, name).__doc__
     with pytest.raises(AttributeError):
         silpose.nothing  # noqa: B018
+
+
+@pytest.mark.parametrize("override", ["sweep=seeds", "-m", "seed=1,2", "hydra/launcher=joblib"])
+def test_a_sweep_from_python_is_refused_with_the_command_that_makes_it(override, tmp_path):
+    with pytest.raises(InputError, match="silpose -m"):
+        silpose.run_experiment([override, f"recording.root={tmp_path}"])
+    assert not list(tmp_path.iterdir())
