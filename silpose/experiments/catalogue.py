@@ -118,5 +118,9 @@ CATALOGUE: Mapping[str, Entry] = {
         "How much does the mask's contour add to regression and tracking, with camera and body "
         "shape known, estimated, and without regression?"
     ),
+    "fitting_robustness": Entry(
+        "What do holes, occluders, shadows cost a fitted body, beside regression and tracking?",
+        "errors on whole silhouettes, and what is lost when they are degraded",
+    ),
 }
 """By name, which is that of a module of this package and of its function."""

@@ -30,7 +30,7 @@ from silpose.model import DescribedDataset, Descriptor, compare, describe_takes
 from silpose.recording import Header, Recording, Result, record_study
 from silpose.recording.captions import in_words
 from silpose.regression import RegressionCandidates, Regressor
-from silpose.silhouette import Degradation, contour_damage, degrade
+from silpose.silhouette import SEGMENTATION_FAULTS, Degradation, contour_damage, degrade
 
 SHAPE_CONTEXTS, METHOD = "shape_contexts", "ridge"
 
@@ -50,17 +50,7 @@ class Pipeline:
 def descriptor_robustness(
     components: Components,
     *,
-    kinds: Sequence[str] = (
-        "boundary_noise",
-        "holes",
-        "missing_limb",
-        "swollen_limb",
-        "shadow",
-        "horizontal_occluder",
-        "vertical_occluder",
-        "low_resolution",
-        "frame_cut",
-    ),
+    kinds: Sequence[str] = SEGMENTATION_FAULTS,
     strengths: Sequence[float] = (0.1, 0.2, 0.4, 0.7, 1),
     training_strength: float = 0.6,
     damage: float = 0.2,
@@ -71,7 +61,7 @@ def descriptor_robustness(
     Parameters
     ----------
     components : Components
-    kinds : sequence of str, default=("boundary_noise", "holes", …)
+    kinds : sequence of str, default=SEGMENTATION_FAULTS
         Kinds of degradation.
     strengths : sequence of float, default=(0.1, 0.2, 0.4, 0.7, 1)
         Strengths of each.

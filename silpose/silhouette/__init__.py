@@ -7,7 +7,12 @@ Poses come from `silpose.motion`; `silpose.dataset` pairs them with their masks,
 from silpose.silhouette.blank_masks import is_blank, visible
 from silpose.silhouette.body import BODIES, LEVELS, Body
 from silpose.silhouette.camera import Camera
-from silpose.silhouette.degradations import DEGRADATIONS, contour_damage, degrade
+from silpose.silhouette.degradations import (
+    DEGRADATIONS,
+    SEGMENTATION_FAULTS,
+    contour_damage,
+    degrade,
+)
 from silpose.silhouette.foreign import FOREIGN, foreign_shape
 from silpose.silhouette.masks import MaskReader, MaskSequence, MaskSource, read_masks
 from silpose.silhouette.random_degradation import Degradation, Degrader
@@ -19,6 +24,7 @@ __all__ = [
     "DEGRADATIONS",
     "FOREIGN",
     "LEVELS",
+    "SEGMENTATION_FAULTS",
     "Body",
     "Camera",
     "Degradation",

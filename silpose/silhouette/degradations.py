@@ -200,6 +200,19 @@ DEGRADATIONS: Mapping[str, Kind] = {
     )
 }
 
+SEGMENTATION_FAULTS = (
+    "boundary_noise",
+    "holes",
+    "missing_limb",
+    "swollen_limb",
+    "shadow",
+    "horizontal_occluder",
+    "vertical_occluder",
+    "low_resolution",
+    "frame_cut",
+)
+"""What segmenters and cameras do to masks, without what a person wears or carries."""
+
 
 def _limb(mask: Mask, box: Box, rng: np.random.Generator) -> tuple[NDArray[np.bool_], Array32]:
     """Draw one of the thin parts of a mask, and measure how far each pixel is from the trunk.
