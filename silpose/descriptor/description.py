@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.frame_border import cutting_edges
 from silpose.core.types import Array, Array32
 from silpose.descriptor.boundary import Pixels, boundary_pixels, extent, spaced_indices
 from silpose.descriptor.shape_context import ContextBins, ring_bounds, shape_contexts
-from silpose.descriptor.subpixel import LATTICE_SIZE, lattice_boundary
+from silpose.descriptor.subpixel import LATTICE_SIZE, NO_EDGES, lattice_boundary
 
-BOUNDARIES = ("subpixel", "pixels")
+BOUNDARIES = ("subpixel", "open", "pixels")
 
 
 @dataclass(frozen=True)
@@ -75,7 +76,8 @@ class EdgeContexts:
             chosen = self._among_pixels(pixels, lengths, size)
             across = int(np.ptp(pixels[:, 0]))
             return Edge(pixels, chosen, pixels[chosen], size, 1.0, across)
-        lattice, between, unit, farthest = lattice_boundary(pixels, lengths)
+        edges = cutting_edges(mask) if self.boundary == "open" else NO_EDGES
+        lattice, between, unit, farthest = lattice_boundary(pixels, lengths, edges)
         chosen = self._evenly(len(lattice))
         return Edge(lattice, chosen, between[chosen], LATTICE_SIZE, unit, 2 * farthest)
 
@@ -99,7 +101,7 @@ class EdgeContexts:
         -------
         contexts : ndarray, shape (P, radial_bins * angular_bins)
         """
-        same = self.boundary == "subpixel"  # rings, for every mask
+        same = self.boundary != "pixels"  # rings, for every mask
         bins = ContextBins.of(rings, self.angular_bins, edge.across, same)
         return shape_contexts(edge.lattice, edge.lattice[chosen], bins)
 

@@ -26,10 +26,11 @@ class ShapeContextHistogram(TransformerMixin, BaseEstimator):
 
     Parameters
     ----------
-    boundary : {"subpixel", "pixels"}, default="subpixel"
+    boundary : {"subpixel", "open", "pixels"}, default="subpixel"
         Where the boundary is: on a smooth curve between the pixels, so that a person has much the
-        same histogram at any resolution; or on the outermost pixels themselves, as of models that
-        were saved before there was a choice.
+        same histogram at any resolution; ``"open"`` the same, but nowhere along an edge of the
+        image that cuts the person; or ``"pixels"``, on the outermost pixels themselves, as of
+        models that were saved before there was a choice.
     edge_points : int or None, default=200
         Number of regularly spaced points on the boundary at which contexts are computed; None
         computes one at every point of the boundary: at every pixel, or 56 to a length that equals

@@ -10,6 +10,7 @@ import numpy as np
 
 from silpose.core.errors import InputError
 from silpose.silhouette.degradations import Mask, check, degrade
+from silpose.silhouette.out_of_frame import OUT_OF_FRAME, out_of_frame
 
 UNCHANGED = "none"
 """Among the kinds, leaves some frames as they are."""
@@ -27,7 +28,8 @@ class Degradation:
         Kinds to draw from for the masks of training and validation, one for each frame:
         ``boundary_noise``, ``holes``, ``missing_limb``, ``swollen_limb``, ``shadow``,
         ``horizontal_occluder``, ``vertical_occluder``, ``low_resolution``, ``frame_cut``, ``bag``,
-        ``coat``, and ``none``. None leaves all masks as they are.
+        ``coat``, ``out_of_frame``, by which the image's edge cuts the person, and ``none``. None
+        leaves all masks as they are.
     test : list of str or None, default=None
         Kinds to draw from for the masks of testing.
     strength : float or [float, float], default=0.5
@@ -65,7 +67,7 @@ class Degradation:
                 f"a degradation's strength must be a number or [lowest, highest], not {strength}"
             )
         self._low, self._high = sorted((bounds[0], bounds[-1]))
-        for kind in {*self.train, *self.test, "holes"} - {UNCHANGED}:
+        for kind in {*self.train, *self.test, "holes"} - {UNCHANGED, OUT_OF_FRAME}:
             for bound in bounds:
                 check(kind, bound)
 
@@ -91,4 +93,6 @@ class Degradation:
         rng = np.random.default_rng(drawn_for if self.lasting else [*drawn_for, int(frame)])
         kind = kinds[int(rng.integers(len(kinds)))]
         strength = rng.uniform(self._low, self._high)
+        if kind == OUT_OF_FRAME:
+            return out_of_frame(mask, strength, rng)
         return mask if kind == UNCHANGED else degrade(mask, kind, strength, rng)

@@ -275,7 +275,7 @@ def test_what_cannot_be_described_is_named(histogram, sequence):
         histogram.transform([])
     with pytest.raises(NotFittedError):
         ShapeContextHistogram().transform(sequence.masks)
-    with pytest.raises(InputError, match="boundary must be one of 'subpixel', 'pixels'"):
+    with pytest.raises(InputError, match="boundary must be one of 'subpixel', 'open', 'pixels'"):
         ShapeContextHistogram(boundary="smooth").fit(sequence.masks)
     with pytest.raises(InputError, match="radius must be positive"):
         ShapeContextHistogram(radius=0).fit(sequence.masks)
@@ -289,3 +289,11 @@ def test_what_cannot_be_described_is_named(histogram, sequence):
         ShapeContextHistogram(codebook_method="medoids").fit(sequence.masks)
     with pytest.raises(InputError, match="smaller codebook_size"):
         ShapeContextHistogram(codebook_size=50, edge_points=4).fit(sequence.masks[:10])
+
+
+def test_only_cut_masks_are_described_otherwise_with_an_open_boundary(histogram, sequence):
+    opened = ShapeContextHistogram.from_arrays(histogram.to_arrays()).set_params(boundary="open")
+    masks = sequence.masks[:8]
+    np.testing.assert_array_equal(opened.transform(masks), histogram.transform(masks))
+    cut = [mask[: np.flatnonzero(mask.any(axis=1))[-1] - 40] for mask in masks]
+    assert np.abs(opened.transform(cut) - histogram.transform(cut)).sum(axis=1).min() > 0.05

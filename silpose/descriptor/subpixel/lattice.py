@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numba
 import numpy as np
+from numpy.typing import NDArray
 
 from silpose.core.types import Array
 from silpose.descriptor.boundary import Pixels
@@ -18,6 +19,11 @@ from silpose.descriptor.subpixel.cracks import block_size, crack_middles, runs_a
 LATTICE_SIZE = 56.0
 """Root mean square distance of the boundary from its centre, lattice units: about that of a person
 in an image of 256 pixels, in pixels."""
+
+NO_EDGES = np.array([-np.inf, -np.inf, np.inf, np.inf])
+"""Edges of an image that cuts nobody, as `lattice_boundary` takes them."""
+
+_ON_EDGE = 0.25  # blocks: smoothing moves points by less than half of this, and others are farther
 
 
 class LatticeBoundary(NamedTuple):
@@ -42,7 +48,9 @@ class LatticeBoundary(NamedTuple):
 
 
 @numba.njit(cache=True, nogil=True)
-def lattice_boundary(pixels: Pixels, lengths: Pixels) -> LatticeBoundary:  # pragma: no cover
+def lattice_boundary(
+    pixels: Pixels, lengths: Pixels, edges: Array = NO_EDGES
+) -> LatticeBoundary:  # pragma: no cover
     """Lead a smooth boundary between the pixels of a mask.
 
     Parameters
@@ -51,6 +59,10 @@ def lattice_boundary(pixels: Pixels, lengths: Pixels) -> LatticeBoundary:  # pra
         As `boundary_pixels` returns them.
     lengths : ndarray of int, shape (C,)
         Number of pixels of each contour.
+    edges : ndarray, shape (4,), optional
+        Left, top, right and bottom edge of the image, pixels, where it cuts the person, and
+        infinite where it does not. No points are where the boundary runs along these, unless all
+        of it does; it counts for the silhouette's size, which else would be still smaller.
 
     Returns
     -------
@@ -68,9 +80,10 @@ def lattice_boundary(pixels: Pixels, lengths: Pixels) -> LatticeBoundary:  # pra
     points = smoothed(cracks, counts)
 
     following = _following(counts)
+    hidden = _along_edges(points, following, block, left, top, edges)
     along = np.empty(len(points) + 1)
     along[0] = 0.0
-    x, y, squares = 0.0, 0.0, 0.0
+    x, y, squares, length = 0.0, 0.0, 0.0, 0.0
     for here in range(len(points)):
         there = following[here]
         dx, dy = points[there, 0] - points[here, 0], points[there, 1] - points[here, 1]
@@ -80,13 +93,13 @@ def lattice_boundary(pixels: Pixels, lengths: Pixels) -> LatticeBoundary:  # pra
         x += step * middle_x
         y += step * middle_y
         squares += step * (middle_x * middle_x + middle_y * middle_y + squared / 12)
-        along[here + 1] = along[here] + step
-    length = along[-1]
+        length += step
+        along[here + 1] = along[here] + (0.0 if hidden[here] else step)
     x, y = x / length, y / length
     size = np.sqrt(max(squares / length - x * x - y * y, 1e-6))
     scale = LATTICE_SIZE / size
 
-    spaced = _spaced(points, following, along, max(4, int(np.rint(length * scale))))
+    spaced = _spaced(points, following, along, max(4, int(np.rint(along[-1] * scale))))
     lattice = np.empty(spaced.shape, np.int32)
     farthest = 0
     for n in range(len(spaced)):
@@ -129,6 +142,25 @@ def smoothed(points: Array, counts: Pixels) -> Array:  # pragma: no cover
             d = d + 1 if d + 1 < end else start
         start = end
     return smooth
+
+
+@numba.njit(cache=True, nogil=True)
+def _along_edges(
+    points: Array, following: Pixels, block: int, left: int, top: int, edges: Array
+) -> NDArray[np.bool_]:  # pragma: no cover
+    """Whether the step after each point runs along an edge of the image; of none if all do."""
+    hidden = np.zeros(len(points), np.bool_)
+    if not np.isfinite(edges).any():
+        return hidden
+    near = _ON_EDGE * block
+    for n in range(len(points)):
+        x, y = points[n, 0] * block + left, points[n, 1] * block + top
+        hidden[n] = (
+            x <= edges[0] + near or y <= edges[1] + near
+            or x >= edges[2] - near or y >= edges[3] - near
+        )  # fmt: skip
+    steps = hidden | hidden[following]
+    return steps if not steps.all() else np.zeros_like(steps)
 
 
 @numba.njit(cache=True, nogil=True)

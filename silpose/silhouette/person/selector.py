@@ -9,9 +9,9 @@ import cv2
 import numpy as np
 
 from silpose.core.errors import InputError
+from silpose.core.frame_border import cuts
 from silpose.core.types import Mask
 from silpose.silhouette.person.appearance import SIZE, thumbnail
-from silpose.silhouette.person.border import cuts
 from silpose.silhouette.person.choice import PersonChoice
 from silpose.silhouette.person.components import Found, Person, find_people, mask_of
 from silpose.silhouette.person.facts import MaskFacts

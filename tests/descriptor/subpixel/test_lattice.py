@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from silpose.descriptor.boundary import boundary_pixels
-from silpose.descriptor.subpixel import LATTICE_SIZE, lattice_boundary
+from silpose.descriptor.subpixel import LATTICE_SIZE, NO_EDGES, lattice_boundary
 from silpose.descriptor.subpixel.lattice import smoothed
 
 
@@ -86,3 +86,26 @@ def test_small_contours_are_smoothed_as_closed_curves(counts):
         near = [np.roll(before, k, axis=0) for k in (-2, -1, 0, 1, 2)]
         weights = np.array([-1, 4, 10, 4, -1]) / 16
         np.testing.assert_allclose(own, np.tensordot(weights, near, axes=1))
+
+
+def test_no_point_lies_along_an_edge_that_cuts(sequence):
+    mask = sequence.masks[7]
+    rows = np.flatnonzero(mask.any(axis=1))
+    knees = mask[: rows[0] + round(0.75 * len(rows))]
+    bottom = len(knees) - 0.5
+    outline = boundary_pixels(knees)
+    closed = lattice_boundary(*outline)
+    edges = np.array([-np.inf, -np.inf, np.inf, bottom])
+    opened = lattice_boundary(*outline, edges)
+    along = np.abs(closed.pixels[:, 1] - bottom) < 0.25
+    assert along.any()
+    assert opened.pixels[:, 1].max() < bottom - 0.25
+    assert opened.unit == closed.unit
+    assert len(opened.pixels) == pytest.approx((~along).sum(), abs=6)
+    np.testing.assert_array_equal(lattice_boundary(*outline, NO_EDGES).lattice, closed.lattice)
+
+
+def test_a_boundary_that_lies_along_edges_alone_is_kept():
+    outline = boundary_pixels(np.ones((9, 7), np.uint8))
+    whole = lattice_boundary(*outline, np.array([-0.5, -0.5, 6.5, 8.5]))
+    np.testing.assert_array_equal(whole.lattice, lattice_boundary(*outline).lattice)
