@@ -19,8 +19,8 @@ from silpose.silhouette.person import MaskFacts, PersonSelector
 RENDERED = ("bent", "build", "view", "bent")
 """Kinds of odd frames that are rendered anew: other poses, other builds, other elevations."""
 
-FREQUENT = ("cut", "merged", "stretched", "cut")
-"""Kinds that are drawn more often, as they are what masks of one's own are like."""
+FREQUENT = ("cut", "merged", "stretched", "cut", "foreign", "foreign", "foreign")
+"""Kinds that are drawn more often: what masks of one's own are like, and all that is no person."""
 
 _SCENES = 2  # bodies and cameras of each kind, as building a body takes long
 _BUILD = (2.0, 6.0)  # standard deviations

@@ -13,10 +13,10 @@ import numpy as np
 
 from silpose.core.skeleton import ANGLES
 from silpose.core.types import Array, Mask
-from silpose.silhouette import DEGRADATIONS, degrade
+from silpose.silhouette import DEGRADATIONS, degrade, foreign_shape
 from silpose.silhouette.degradations import Box
 
-NOBODY = ("round", "box", "furniture", "blobs")
+NOBODY = ("foreign",)
 """Kinds that show no person at all, so that no pose is right."""
 
 _FAR_BENT = [
@@ -141,42 +141,10 @@ def _carrying(mask: Mask, other: Mask, rng: np.random.Generator) -> Mask:
     return odd
 
 
-def _round(mask: Mask, other: Mask, rng: np.random.Generator) -> Mask:
-    odd = np.zeros((200, 200), np.uint8)
-    axes = int(rng.uniform(15, 60)), int(rng.uniform(15, 80))
-    cv2.ellipse(odd, (100, 100), axes, float(rng.uniform(0, 180)), 0, 360, 1, -1)
-    return odd
-
-
-def _box(mask: Mask, other: Mask, rng: np.random.Generator) -> Mask:
-    odd = np.zeros((200, 200), np.uint8)
-    size = float(rng.uniform(20, 80)), float(rng.uniform(20, 140))
-    angle = float(rng.uniform(0, 90)) if rng.random() < 0.5 else 0.0
-    corners = cv2.boxPoints(((100.0, 100.0), size, angle))
-    cv2.fillPoly(odd, [np.rint(corners).astype(np.int32)], 1)
-    return odd
-
-
-def _furniture(mask: Mask, other: Mask, rng: np.random.Generator) -> Mask:
-    """Draw something with legs: a chair, a table, a dog."""
-    odd = np.zeros((200, 200), np.uint8)
-    left, right = int(rng.uniform(30, 80)), int(rng.uniform(110, 170))
-    top, thick = int(rng.uniform(60, 120)), int(rng.uniform(5, 40))
-    bottom, leg = int(rng.uniform(140, 190)), int(rng.uniform(3, 15))
-    cv2.rectangle(odd, (left, top), (right, top + thick), 1, -1)
-    for x in (left, right - leg, *([int(rng.uniform(left, right))] if rng.random() < 0.5 else [])):
-        cv2.rectangle(odd, (x, top), (x + leg, bottom), 1, -1)
-    if rng.random() < 0.6:  # a back, or a head
-        side = left if rng.random() < 0.5 else right - 2 * leg
-        cv2.rectangle(odd, (side, int(rng.uniform(10, top))), (side + 2 * leg, top + 1), 1, -1)
-    return odd
-
-
-def _blobs(mask: Mask, other: Mask, rng: np.random.Generator) -> Mask:
-    """Cut a level of smooth noise."""
-    noise = cv2.GaussianBlur(rng.standard_normal((160, 100)), (0, 0), float(rng.uniform(5, 20)))
-    blob = (noise > np.quantile(noise, rng.uniform(0.5, 0.85))).astype(np.uint8)
-    return np.pad(blob, _MARGIN)
+def _foreign(mask: Mask, other: Mask, rng: np.random.Generator) -> Mask:
+    """Draw something else of about the person's size."""
+    tall = Box.of(mask).height
+    return foreign_shape(2 * tall, 2 * tall, tall, rng)
 
 
 def _part(mask: Mask) -> Mask:
@@ -196,7 +164,7 @@ ODD: Mapping[str, Callable[[Mask, Mask, np.random.Generator], Mask]] = {
     **{kind: _degraded(kind) for kind in DEGRADATIONS},
     "cut": _cut, "stretched": _stretched, "turned": _turned, "upside_down": _upside_down,
     "merged": _merged, "thick": _thick, "thin": _thin, "coarse": _coarse, "carrying": _carrying,
-    "round": _round, "box": _box, "furniture": _furniture, "blobs": _blobs,
+    "foreign": _foreign,
 }  # fmt: skip
 
 
