@@ -52,11 +52,19 @@ class PersonChoice:
     person : str, int or None, default=None
         As `check_person` allows. None and ``"tracked"`` begin with the largest person and continue
         with the one at the same place; a number begins with that person from the left, in the
-        first frame that has so many.
+        first frame that has so many. ``"largest"``, ``"left"`` and ``"right"`` are chosen in each
+        frame by itself.
+
+    Attributes
+    ----------
+    switches : int
+        How often such a choice fell on one person, while another was closer to where the person of
+        the frame before was.
     """
 
     def __init__(self, person: str | int | None = None) -> None:
         self.person = check_person(person)
+        self.switches = 0
         self._last: Person | None = None
         self._missed = 0
 
@@ -66,11 +74,10 @@ class PersonChoice:
         if not people:
             self._missed += 1
             return None
-        if self.person == "largest":
-            return people[0]
-        if self.person in ("left", "right"):
-            by_place = sorted(people, key=lambda person: person.middle)
-            return by_place[0 if self.person == "left" else -1]
+        if self.person in ("largest", "left", "right"):
+            chosen = self._in_this_frame(people)
+            self.switches += self._last is not None and self._nearest(people)[0] is not chosen
+            return chosen
         chosen = self._first(people) if self._last is None else self._continued(people)
         if chosen is None:
             self._missed += 1
@@ -80,6 +87,12 @@ class PersonChoice:
         """Continue with this one in the next frame."""
         self._last, self._missed = person, 0
 
+    def _in_this_frame(self, people: Sequence[Person]) -> Person:
+        if self.person == "largest":
+            return people[0]
+        by_place = sorted(people, key=lambda person: person.middle)
+        return by_place[0 if self.person == "left" else -1]
+
     def _first(self, people: Sequence[Person]) -> Person | None:
         if not isinstance(self.person, int):
             return people[0]
@@ -88,12 +101,17 @@ class PersonChoice:
 
     def _continued(self, people: Sequence[Person]) -> Person | None:
         """Return the person that the last one has become; without a choice, else the largest."""
+        nearest, change = self._nearest(people)
+        if change <= _REACH + _REACH_PER_FRAME * (1 + self._missed):
+            return nearest
+        return people[0] if self.person is None else None
+
+    def _nearest(self, people: Sequence[Person]) -> tuple[Person, float]:
+        """Return the person who is most like the last one, and how different."""
         assert self._last is not None
         changes = [_change(self._last, person) for person in people]
         best = int(np.argmin(changes))
-        if changes[best] <= _REACH + _REACH_PER_FRAME * (1 + self._missed):
-            return people[best]
-        return people[0] if self.person is None else None
+        return people[best], changes[best]
 
 
 def _change(before: Person, after: Person) -> float:

@@ -15,7 +15,7 @@ from silpose.silhouette.person.choice import check_person
 from silpose.silhouette.person.components import Found, find_people
 from silpose.silhouette.person.facts import MaskFacts
 from silpose.silhouette.person.selector import PersonSelector, how_to_choose
-from silpose.silhouette.person.source_doubts import doubts_about, why_nobody
+from silpose.silhouette.person.source_doubts import doubts_about, switching, why_nobody
 
 _RARE = 0.05  # share of frames up to which several people are left to the place of the one before
 
@@ -92,6 +92,8 @@ def select_person(
         backward.select(masks[start], found[start])
         before = [backward.select(masks[f], found[f]) for f in reversed(range(start))]
         selected = before[::-1] + selected
+    if forward.choice.switches:
+        doubts += (switching(str(person), forward.choice.switches, len(masks), called),)
     facts = MaskFacts.concatenate([own for _, own in selected])
     if not facts.seen.any():
         raise InputError(why_nobody(masks, facts, called))

@@ -71,7 +71,16 @@ class PersonSelector:
         if people > 1 and self.choice.person is None:
             self._say_several(people)
         self._begun = self._begun or people > 0
-        return self.select(mask, found)
+        selected = self.select(mask, found)
+        if self.choice.switches and not self._doubted:
+            self._doubted = True
+            warnings.warn(
+                f"the person chosen by silhouette.person={self.choice.person} is another one than "
+                "in the mask before: to follow one person, give silhouette.person=tracked (in "
+                "Python person='tracked')",
+                stacklevel=2,
+            )
+        return selected
 
     def select(self, mask: Mask, found: Found) -> tuple[Mask, MaskFacts]:
         """Select as `step` does, among people who have been found already."""

@@ -43,6 +43,26 @@ def why_nobody(masks: Sequence[Mask], facts: MaskFacts, called: str) -> str:
     )
 
 
+def switching(person: str, switches: int, masks: int, called: str) -> str:
+    """Doubt a choice by frame that falls on one person now, and on another then.
+
+    Parameters
+    ----------
+    person : str
+        ``"largest"``, ``"left"`` or ``"right"``.
+    switches, masks : int
+        Frames in which another person was chosen than before, and all.
+    called : str
+        `` in SOURCE``, or nothing.
+    """
+    which = "the largest one" if person == "largest" else f"the one on the {person}"
+    return (
+        f"of several people{called}, {which} is another one than before in {switches} of {masks} "
+        "masks: to follow one person, give silhouette.person=tracked or a number, counted from the "
+        "left (in Python person='tracked' or person=1)"
+    )
+
+
 def doubts_about(masks: Sequence[Mask], facts: MaskFacts, called: str) -> tuple[str, ...]:
     """Doubt proportions that no upright person has.
 

@@ -65,3 +65,15 @@ def test_a_number_waits_until_there_are_so_many():
 def test_without_a_choice_the_largest_is_taken_where_the_last_one_is_gone():
     frames = [found(person(50)), found(person(600))]
     assert middles(PersonChoice(), frames) == [50, 600]
+
+
+def test_a_choice_by_frame_that_switches_people_is_counted():
+    stays = [found(person(50), person(200, area=900)), found(person(60), person(195, area=800))]
+    crosses = [*stays, found(person(70, area=700), person(190, area=800))]
+    for frames, count in ((stays, 0), (crosses, 1), (crosses[::2], 1)):
+        choice = PersonChoice("largest")
+        middles(choice, frames)
+        assert choice.switches == count
+    follows = PersonChoice("tracked")
+    middles(follows, crosses)
+    assert follows.switches == 0

@@ -114,3 +114,13 @@ def test_states_of_single_frames(sequence):
     masks[4][50:55, 50:53] = 1
     states = select_person(masks).facts.states()
     assert states == ["", "blank", "filled", "", "fragment", ""]
+
+
+def test_a_largest_person_that_is_now_one_and_then_another_is_doubted(sequence):
+    small = [cv2.erode(mask, np.ones((3, 3), np.uint8)) for mask in sequence.masks[:4]]
+    large = sequence.masks[:4]
+    masks = beside([*large[:2], *small[2:]], [*small[:2], *large[2:]])
+    with pytest.warns(UserWarning, match=r"largest one is another one .* in 1 of 4 .*=tracked"):
+        selection = select_person(masks, "largest")
+    assert len(selection.doubts) == 1
+    assert select_person(masks, "tracked").doubts == ()

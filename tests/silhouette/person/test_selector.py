@@ -1,3 +1,6 @@
+import warnings
+
+import cv2
 import numpy as np
 import pytest
 
@@ -56,3 +59,14 @@ def test_who_comes_later_is_left_out(sequence):
     assert facts.people.tolist() == [2]
     np.testing.assert_array_equal(mask[:, :96], sequence.masks[1])
     assert not mask[:, 96:].any()
+
+
+def test_a_choice_that_falls_on_another_person_is_said_once(sequence):
+    small = [cv2.erode(mask, np.ones((3, 3), np.uint8)) for mask in sequence.masks[:4]]
+    selector = PersonSelector("largest")
+    selector.step(np.hstack([sequence.masks[0], small[0]]))
+    with pytest.warns(UserWarning, match=r"largest is another one .*person=tracked"):
+        selector.step(np.hstack([small[1], sequence.masks[1]]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        selector.step(np.hstack([sequence.masks[2], small[2]]))
