@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
 from silpose.core.array_files import DAMAGE, TooLarge, check_members, first_line, wrong_size
 from silpose.core.errors import InputError
+from silpose.silhouette.masks.natural_order import in_natural_order, without_numbers
 from silpose.silhouette.masks.picture import Pixels
 
 ARRAYS = (".npy", ".npz")
 """Suffixes of arrays in files."""
 
-_USUAL_NAMES = ("masks", "mask", "silhouettes", "silhouette", "segmentation", "arr_0", "data")
+_USUAL_NAMES = ("masks", "mask", "silhouettes", "silhouette", "segmentation", "data")
+_LISTED = 6  # names in a message
 
 
 def read_array_file(file: Path) -> Pixels:
@@ -34,7 +37,7 @@ def read_array_file(file: Path) -> Pixels:
             return loaded
         with loaded:
             check_members(loaded)
-            return np.asarray(loaded[_name(file, loaded.files)])
+            return _masks(file, loaded)
     except InputError:
         raise
     except TooLarge as error:
@@ -59,17 +62,29 @@ def read_array_file(file: Path) -> Pixels:
         ) from None
 
 
-def _name(file: Path, names: list[str]) -> str:
-    """Choose the array that is the masks."""
+def _masks(file: Path, held: Mapping[str, Pixels]) -> Pixels:
+    """Choose the array that is the masks, or join arrays that are a mask each."""
+    names = list(held)
     if len(names) == 1:
-        return names[0]
-    usual = [name for name in _USUAL_NAMES if name in names]
-    if not usual:
+        return held[names[0]]
+    if usual := [name for name in _USUAL_NAMES if name in names]:
+        return held[usual[0]]
+    arrays = [held[names[k]] for k in in_natural_order(names)]
+    shapes = {array.shape for array in arrays}
+    numbered = len({without_numbers(name) for name in names}) == 1
+    if len(arrays) > 1 and numbered and all(len(shape) == 2 for shape in shapes):
+        if len(shapes) == 1:
+            return np.stack(arrays)
         raise InputError(
-            f"'{file}' holds the arrays {', '.join(names) or '(none)'}: name the one of the masks "
-            "'masks'"
+            f"'{file}' holds {len(names)} masks of several sizes: save each as an image"
         )
-    return usual[0]
+    stacks = [array for array in arrays if array.ndim > 2]
+    if len(stacks) == 1:
+        return stacks[0]
+    listed = ", ".join(names[:_LISTED]) + (" and more" if len(names) > _LISTED else "")
+    raise InputError(
+        f"'{file}' holds the arrays {listed or '(none)'}: name the one of the masks 'masks'"
+    )
 
 
 def _begins(file: Path, *beginnings: bytes) -> bool:

@@ -90,6 +90,8 @@ def _mask(record: Record, size: Any, source: str) -> Mask:
     shape = record["segmentation"]
     if is_run_lengths(shape):
         return mask_of_run_lengths(shape, source)
+    if hasattr(shape, "__array__") and np.ndim(shape) == 3 and len(shape) == 1:
+        shape = np.asarray(shape)[0]  # SAM 2 keeps an axis of one for the object
     if _is_plane(shape):
         return (np.asarray(shape) > 0).astype(np.uint8)
     if not size or not all(size):

@@ -52,12 +52,14 @@ def records_of(content: Any, source: str) -> Records:
     Parameters
     ----------
     content : mapping or sequence
-        A COCO or YouTube-VIS dataset, COCO results, the segments of SAM, run lengths by frame and
-        object, or a list of run lengths, one a frame.
+        A COCO or YouTube-VIS dataset, COCO results, the segments of SAM, polygons of LabelMe, run
+        lengths by frame and object, or a list of run lengths, one a frame.
     source : str
         What it is called in messages.
     """
     images: list[Record] = []
+    if isinstance(content, Mapping) and "shapes" in content:
+        content = _of_labelme(content)
     if isinstance(content, Mapping) and "annotations" in content:
         images = list(content.get("images") or [])
         content, doubts = _people(
@@ -96,13 +98,34 @@ def _people(records: Any, categories: Sequence[Record], source: str) -> tuple[An
     return kept, ()
 
 
+def _of_labelme(content: Record) -> Record:
+    """Bring the polygons of one image to a COCO dataset."""
+    image = {
+        "id": 0, "file_name": content.get("imagePath"),
+        "height": content.get("imageHeight"), "width": content.get("imageWidth"),
+    }  # fmt: skip
+    shapes = [s for s in content["shapes"] if s.get("shape_type", "polygon") == "polygon"]
+    annotations = [
+        {
+            "image_id": 0,
+            "category_id": shape.get("label"),
+            "segmentation": [[value for point in shape["points"] for value in point]],
+        }
+        for shape in shapes
+    ]
+    labels = {str(shape.get("label")) for shape in shapes}
+    categories = [{"id": label, "name": label} for label in sorted(labels)]
+    return {"images": [image], "annotations": annotations, "categories": categories}
+
+
 def _by_frame(content: Record) -> list[Record] | None:
-    """Read a mapping from frames to masks, or to masks by object, as trackers write it."""
+    """Read a mapping from frames to masks, or to masks by object, as SAM 2 and trackers give it."""
     if not content or not all(str(key).lstrip("-").isdecimal() for key in content):
         return None
     records: list[Record] = []
     for frame, held in content.items():
-        objects = {1: held} if is_run_lengths(held) else held
+        alone = is_run_lengths(held) or hasattr(held, "__array__")
+        objects = {1: held} if alone else held
         if not isinstance(objects, Mapping):
             return None
         records += [

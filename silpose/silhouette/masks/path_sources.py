@@ -17,7 +17,10 @@ from silpose.silhouette.masks.encoding import NoMasksError
 from silpose.silhouette.masks.folders import choose_files, image_files
 from silpose.silhouette.masks.image_files import IMAGES, Animation, read_image_file
 from silpose.silhouette.masks.mask_source import MaskSource
+from silpose.silhouette.masks.mots import is_mots, read_mots
 from silpose.silhouette.masks.natural_order import in_natural_order
+from silpose.silhouette.masks.other_formats import why_no_masks, why_not_read
+from silpose.silhouette.masks.picture import Picture
 from silpose.silhouette.masks.video_files import VIDEOS, read_video
 
 _SAMPLE = 5  # files of a kind that are looked at
@@ -76,11 +79,10 @@ def _find_path(path: Path, options: MaskSource) -> Found:
     if suffix == ".json":
         pictures, doubts = read_coco(path)
         return Found(Animation(pictures), name, doubts=doubts)
-    if suffix in (".pkl", ".pickle", ".pt", ".pth"):
-        raise InputError(
-            f"{name} holds pickled objects, which could run any program: load it where it is from, "
-            "and save the masks by np.save('masks.npy', masks)"
-        )
+    if suffix == ".txt" and is_mots(path):
+        return Found(Animation(read_mots(path)), name)
+    if why := why_not_read(path):
+        raise InputError(f"{name} {why}")
     if suffix in IMAGES:
         return Found(read_image_file(path), name)
     return Found(_of_unknown_suffix(path), name)
@@ -107,32 +109,41 @@ def _find_folder(folder: Path, options: MaskSource) -> Found:
         (only,) = alone + inside
         return replace(_find_path(only, options), notes=(f"the masks are in '{only}'",))
     if alone:
-        return _find_arrays(folder, alone)
+        return _find_frames(folder, alone)
     if inside:
         raise InputError(
             f"folder '{folder}' holds no masks itself, but folders of them, such as '{inside[0]}' "
             f"and '{inside[1]}': give one"
         )
+    if why := why_no_masks(folder):
+        raise InputError(f"folder '{folder}' holds no masks; {why}")
     raise InputError(
         f"folder '{folder}' holds no masks: expected {', '.join(IMAGES[:7])} files, or a video"
     )
 
 
-def _find_arrays(folder: Path, files: list[Path]) -> Found:
-    """Read a folder of arrays, each of which is one mask."""
-    if any(file.suffix.lower() not in ARRAYS for file in files):
+def _find_frames(folder: Path, files: list[Path]) -> Found:
+    """Read a folder of arrays or JSON, each of which is one mask."""
+    arrays = [file.suffix.lower() in ARRAYS for file in files]
+    json = [file.suffix.lower() == ".json" for file in files]
+    if not all(arrays) and not all(json):
         listed = ", ".join(f"'{file.name}'" for file in sorted(files)[:3])
         raise InputError(f"folder '{folder}' holds {len(files)} takes, {listed}: give one")
-    pictures = []
+    pictures: list[Picture] = []
+    doubts: list[str] = []
     for file in (files[k] for k in in_natural_order([file.stem for file in files])):
-        (picture, *others) = pictures_of_array(read_array_file(file), f"'{file}'")
-        if others:
+        if all(arrays):
+            held = pictures_of_array(read_array_file(file), f"'{file}'")
+        else:
+            held, own = read_coco(file)
+            doubts += own
+        if len(held) > 1:
             raise InputError(
-                f"folder '{folder}' holds {len(files)} takes, '{file.name}' of {1 + len(others)} "
+                f"folder '{folder}' holds {len(files)} takes, '{file.name}' of {len(held)} "
                 "masks: give one"
             )
-        pictures.append(replace(picture, name=file.name))
-    return Found(Animation(pictures), f"'{folder}'")
+        pictures += [replace(picture, name=file.name) for picture in held]
+    return Found(Animation(pictures), f"'{folder}'", doubts=tuple(doubts[:1]))
 
 
 def _folders_of_images(folder: Path) -> list[Path]:

@@ -75,9 +75,9 @@ class PersonChoice:
             self._missed += 1
             return None
         if self.person in ("largest", "left", "right"):
-            chosen = self._in_this_frame(people)
-            self.switches += self._last is not None and self._nearest(people)[0] is not chosen
-            return chosen
+            own = self._in_this_frame(people)
+            self.switches += self._last is not None and self._nearest(people)[0] is not own
+            return own
         chosen = self._first(people) if self._last is None else self._continued(people)
         if chosen is None:
             self._missed += 1

@@ -11,8 +11,21 @@ def test_the_array_of_masks_is_found_by_its_name(tmp_path):
     np.savez(tmp_path / "b.npz", anything=masks)
     for name in ("a.npz", "b.npz"):
         np.testing.assert_array_equal(read_array_file(tmp_path / name), masks)
-    np.savez(tmp_path / "c.npz", x=masks, y=others)
-    with pytest.raises(InputError, match=r"c\.npz' holds the arrays x, y: name the one .* 'masks'"):
+    np.savez(tmp_path / "c.npz", x=masks, y=others)  # the only one that can be a stack
+    np.testing.assert_array_equal(read_array_file(tmp_path / "c.npz"), masks)
+    np.savez(tmp_path / "d.npz", x=masks, y=masks)
+    with pytest.raises(InputError, match=r"d\.npz' holds the arrays x, y: name the one .* 'masks'"):
+        read_array_file(tmp_path / "d.npz")
+
+
+def test_arrays_of_one_mask_each_are_frames_in_the_order_of_their_numbers(tmp_path):
+    masks = np.random.default_rng(0).random((12, 3, 4)) < 0.5
+    np.savez(tmp_path / "a.npz", *masks)
+    np.savez(tmp_path / "b.npz", **{f"frame{k}": mask for k, mask in enumerate(masks)})
+    for name in ("a.npz", "b.npz"):
+        np.testing.assert_array_equal(read_array_file(tmp_path / name), masks)
+    np.savez(tmp_path / "c.npz", masks[0], masks[0][1:])
+    with pytest.raises(InputError, match=r"c\.npz' holds 2 masks of several sizes"):
         read_array_file(tmp_path / "c.npz")
 
 

@@ -121,3 +121,36 @@ def test_images_alone_are_blank_or_refused(tmp_path):
     assert blank[0].shape == (4, 5) and not blank[0].any()
     with pytest.raises(InputError, match="no image has a height and width"):
         read(tmp_path, {"annotations": nothing})
+
+
+def test_polygons_of_labelme_are_people_of_that_name(tmp_path):
+    square = [[10, 5], [20, 5], [20, 40], [10, 40]]
+    other = [[0, 0], [5, 0], [5, 5]]
+    shapes = [
+        {"label": label, "points": points, "shape_type": "polygon"}
+        for label, points in (("person", square), ("bag", other))
+    ]
+    content = {"shapes": shapes, "imagePath": "a.jpg", "imageHeight": 48, "imageWidth": 40}
+    expected = np.zeros((48, 40), np.uint8)
+    expected[5:40, 10:20] = 1
+    sequence = read(tmp_path, content)
+    assert sequence.names == ["a.jpg"]
+    assert (sequence.masks[0] != expected).mean() < 0.03
+    assert not sequence.masks[0][:5, :5].any()
+
+
+def test_masks_by_frame_and_object_may_be_arrays(figures):
+    by_object = {k: {1: mask[None] > 0} for k, mask in enumerate(figures)}
+    by_frame = {k: mask > 0 for k, mask in enumerate(figures)}
+    for content in (by_object, by_frame):
+        np.testing.assert_array_equal(read_masks(content).masks, figures)
+
+
+def test_a_folder_of_json_is_a_frame_each(tmp_path, figures):
+    for k, mask in enumerate(figures):
+        content = json.dumps([{"segmentation": runs(mask), "stability_score": 0.9}])
+        (tmp_path / f"{k}.json").write_text(content)
+    np.testing.assert_array_equal(read_masks(tmp_path).masks, figures)
+    (tmp_path / "x.json").write_text(json.dumps(annotations(figures)))
+    with pytest.raises(InputError, match=rf"takes, 'x\.json' of {len(figures)} masks: give one"):
+        read_masks(tmp_path)
