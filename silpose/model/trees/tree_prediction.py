@@ -23,7 +23,7 @@ from silpose.model.poses import Poses
 from silpose.model.trees.take_table import COUNTS, FORMATS, counts_in, counts_of, write_table
 from silpose.model.trees.tree_index import TreeIndex
 from silpose.silhouette.mask_tree import MaskTake, TreePattern, find_takes
-from silpose.silhouette.masks import MaskSource
+from silpose.silhouette.masks import MaskSource, why_no_masks
 
 _FEW = 8  # takes for which other processes are not worth their start
 _NAMED = 3  # takes that a warning names
@@ -212,8 +212,11 @@ def _warn_of(rows: list[dict[str, str]], why: str, words: str, folder: Path) -> 
 
 
 def _no_takes(root: Path, pattern: str | None) -> str:
+    found = next(find_takes(root), None)
+    other = None if found else why_no_masks(root)
+    if other:
+        return f"there are no masks below '{root}'; {other}"
     if pattern is None:
         return f"there are no masks below '{root}': give a folder of folders of mask images"
-    found = next(find_takes(root), None)
     example = f", such as '{found.name}'" if found else ""
     return f"no take below '{root}' fits pattern={pattern}: takes are folders of masks{example}"

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from silpose.core.errors import InputError
 from silpose.silhouette.masks.image_files import IMAGES
-from silpose.silhouette.masks.natural_order import in_natural_order, without_numbers
+from silpose.silhouette.masks.natural_order import (
+    in_natural_order,
+    takes_among,
+    without_numbers,
+)
 
 _SYSTEM = ("thumbs.db", "desktop.ini", "__macosx")
 _MOST_KINDS = 6  # of names; more are names without any order
@@ -66,7 +71,8 @@ def choose_files(folder: Path, is_masks: Callable[[Sequence[Path]], bool]) -> Ch
     found = _images(folder)
     groups = _groups(found.files)
     if len(groups) < 2:
-        return Chosen(_in_order(found.files), found.ignored)
+        files = _in_order(found.files)
+        return Chosen(files, found.ignored, _takes(folder, files))
     masks = {name: files for name, files in groups.items() if is_masks(files)}
     if not masks:  # what they are, is said when they are read
         return Chosen(_in_order(max(groups.values(), key=len)), found.ignored)
@@ -87,7 +93,8 @@ def choose_files(folder: Path, is_masks: Callable[[Sequence[Path]], bool]) -> Ch
         raise InputError(_several_takes(folder, [taken, *several.values()]))
     ignored = [f"{file.name}: {why}" for files, why in left for file in _in_order(files)]
     doubts = [_left_out(folder, files, taken, why) for files, why in left]
-    return Chosen(_in_order(taken), (*found.ignored, *ignored), tuple(doubts))
+    files = _in_order(taken)
+    return Chosen(files, (*found.ignored, *ignored), (*doubts, *_takes(folder, files)))
 
 
 def _images(folder: Path) -> Chosen:
@@ -140,6 +147,21 @@ def _left_out(folder: Path, files: Sequence[Path], taken: Sequence[Path], why: s
     return (
         f"of '{folder}', {len(taken)} files such as '{first}' were taken and {len(files)} left "
         f"out that {why}: {names}{more}"
+    )
+
+
+def _takes(folder: Path, files: Sequence[Path]) -> tuple[str, ...]:
+    """Doubt that files are one take, where they count anew."""
+    starts = takes_among([file.stem for file in files])
+    if not starts:
+        return ()
+    first, second = files[0], files[starts[1]]
+    count = len(starts)
+    head = re.sub(r"\d+\D*$", "", first.stem)
+    return (
+        f"'{folder}' seems to hold {count} takes, which begin with '{first.name}', '{second.name}'"
+        f"{' and so on' if count > 2 else ''}, and is read as one: choose one by a pattern in "
+        f"quotes, such as '{folder / head}*{first.suffix}'",
     )
 
 

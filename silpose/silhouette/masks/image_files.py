@@ -19,7 +19,7 @@ from silpose.silhouette.masks.picture import Picture, compact
 
 IMAGES = (
     *(".png", ".apng", ".bmp", ".tif", ".tiff", ".jpg", ".jpeg", ".jpe", ".jp2"),
-    *(".webp", ".gif", ".pgm", ".pbm", ".ppm", ".pnm", ".tga"),
+    *(".webp", ".avif", ".gif", ".pgm", ".pbm", ".ppm", ".pnm", ".tga"),
 )
 """Suffixes of image files."""
 

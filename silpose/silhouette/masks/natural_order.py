@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 _NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
+_LAST_COUNT = re.compile(r"(.*\d.*?)(?<!\d)(\d+)(\D*)")  # behind another number
+_LEAST_STRETCH = 3  # names that count up, at least, to be a take
 
 
 def in_natural_order(names: Sequence[str]) -> list[int]:
@@ -32,6 +35,32 @@ def in_natural_order(names: Sequence[str]) -> list[int]:
 def without_numbers(name: str) -> str:
     """Replace the numbers in a name: what is the same for all frames of a take."""
     return _NUMBER.sub("#", name)
+
+
+def takes_among(names: Sequence[str]) -> list[int]:
+    """Find where names count anew, such as cam1_0, cam1_1, cam1_2, cam2_0 and so on.
+
+    Parameters
+    ----------
+    names : sequence of str
+        In natural order, without suffixes.
+
+    Returns
+    -------
+    starts : list of int
+        First name of each of several takes; empty if there is one only, or no such order.
+    """
+    found = [_LAST_COUNT.fullmatch(name) for name in names]
+    if not names or not all(found):
+        return []
+    heads = [match[1] + match[3] for match in found if match]
+    counts = [int(match[2]) for match in found if match]
+    starts = [k for k in range(len(names)) if k == 0 or heads[k] != heads[k - 1]]
+    stretches = [counts[a:b] for a, b in pairwise([*starts, len(names)])]
+    steps = {b - a for own in stretches for a, b in pairwise(own)}
+    same = len({own[0] for own in stretches}) == 1 and len(steps) == 1
+    enough = min(map(len, stretches)) >= _LEAST_STRETCH
+    return starts if len(starts) > 1 and same and enough else []
 
 
 def _counts_after_dots(names: Sequence[str]) -> bool:

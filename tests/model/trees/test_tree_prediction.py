@@ -165,3 +165,11 @@ def test_several_processes_give_the_same(small_model, tree, tmp_path, monkeypatc
     assert both.counts == alone.counts
     name = "002/nm-01/090.csv"
     assert (both.folder / name).read_text() == (alone.folder / name).read_text()
+
+
+def test_a_tree_of_files_that_are_not_read_says_so(small_model, tmp_path):
+    take = tmp_path / "00001" / "090"
+    take.mkdir(parents=True)
+    (take / "090.pkl").write_bytes(b"x")
+    with pytest.raises(InputError, match=r"no masks below .*090\.pkl' holds pickled objects"):
+        predict_tree(small_model, tmp_path, pattern="subject/view")

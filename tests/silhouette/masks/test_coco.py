@@ -154,3 +154,9 @@ def test_a_folder_of_json_is_a_frame_each(tmp_path, figures):
     (tmp_path / "x.json").write_text(json.dumps(annotations(figures)))
     with pytest.raises(InputError, match=rf"takes, 'x\.json' of {len(figures)} masks: give one"):
         read_masks(tmp_path)
+
+
+def test_boxes_alone_are_no_masks(tmp_path):
+    content = {"annotations": [{"image_id": 0, "bbox": [1, 2, 3, 4], "segmentation": []}]}
+    with pytest.raises(InputError, match="holds boxes, and no masks"):
+        read(tmp_path, content)

@@ -134,3 +134,13 @@ def test_a_folder_of_arrays_is_a_take_if_each_is_one_mask(tmp_path, figures):
     (tmp_path / "a.mp4").touch()
     with pytest.raises(InputError, match=r"holds 14 takes, .*: give one"):
         read_masks(tmp_path)
+
+
+def test_takes_in_one_folder_are_read_as_one_with_a_doubt(tmp_path):
+    for name in (f"cam{cam}_{k}.png" for cam in (1, 2) for k in range(3)):
+        (tmp_path / name).write_bytes(b"")
+    chosen = choose_files(tmp_path, lambda files: True)
+    assert len(chosen.files) == 6
+    assert len(chosen.doubts) == 1
+    assert "2 takes, which begin with 'cam1_0.png', 'cam2_0.png'" in chosen.doubts[0]
+    assert chosen.doubts[0].endswith(f"such as '{tmp_path / 'cam1_'}*.png'")

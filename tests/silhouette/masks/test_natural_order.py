@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from silpose.silhouette.masks.natural_order import in_natural_order, without_numbers
+from silpose.silhouette.masks.natural_order import in_natural_order, takes_among, without_numbers
 
 
 @pytest.mark.parametrize(
@@ -41,3 +41,20 @@ def test_times_as_python_writes_them_are_in_order(times):
 def test_what_frames_have_in_common():
     assert without_numbers("001-nm-01_mask") == without_numbers("12-nm-7_mask") == "#-nm-#_mask"
     assert without_numbers("1.25") == without_numbers("3")
+
+
+@pytest.mark.parametrize(
+    ("names", "starts"),
+    [
+        (["cam1_0", "cam1_1", "cam1_2", "cam2_0", "cam2_1", "cam2_2", "cam2_3"], [0, 3]),
+        ([f"00{s}-nm-01-{k:03d}" for s in (1, 2, 3) for k in range(4)], [0, 4, 8]),
+        ([f"001-nm-01-090-{k:03d}" for k in range(12)], []),
+        ([f"{k:04d}_mask" for k in range(12)], []),
+        (["12-00-00.667", "12-00-01.334", "12-00-02.001", "12-00-02.668"], []),
+        (["00-57", "00-58", "00-59", "01-00", "01-01", "01-02"], []),
+        (["a", "b"], []),
+        ([], []),
+    ],
+)
+def test_names_that_count_anew_are_several_takes(names, starts):
+    assert takes_among(names) == starts
