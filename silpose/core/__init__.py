@@ -7,6 +7,7 @@ progress, serialisation and timing. Its modules are imported by name.
 __all__ = [
     "atomic_files",
     "errors",
+    "frame_border",
     "lazy_exports",
     "parallel",
     "parameters",

@@ -48,6 +48,7 @@ def test_without_masks_looks_are_no_evidence(parts):
 
 def test_many_frames_are_judged_in_blocks(parts, examples):
     z, x, facts = parts
+    x = 1.2 * x  # of poses that equal an example, the distance is rounding alone
     many = np.tile(np.arange(60), 12)
     evidence = examples.evidence(z[many], x[many], facts[many])
     np.testing.assert_allclose(evidence[-60:], evidence[:60], rtol=1e-3, atol=2e-3)
