@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
-
 from silpose.core.errors import InputError
 
 INTERRUPTED = 130
@@ -40,15 +37,3 @@ def _what(error: Exception) -> str:
         remedy = f" ({_TOO_MANY_FILES})" if "open files" in error.strerror else ""
         return f"{file}{error.strerror}{remedy}"
     return f"unexpected {kind}: {words} (debug=true shows where it comes from)"
-
-
-def print_anywhere() -> None:
-    """Let signs that the terminal cannot show become question marks rather than errors."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")
-
-
-def stop_quietly() -> None:
-    """End output that nobody reads any more, as when it goes to ``head``."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from silpose.core.atomic_files import writing
+from silpose.core.atomic_files import append_line, writing
 from silpose.core.csv_text import csv_text
 from silpose.core.errors import InputError
 from silpose.model.trees.take_table import COUNTS
@@ -73,8 +73,7 @@ class TreeIndex:
         """Add a take, and write its line at once."""
         text = {name: str(row.get(name, "")) for name in COLUMNS}
         self.rows[text["take"]] = text
-        with (self.folder / INDEX).open("a", newline="", encoding="utf-8") as file:
-            file.write(csv_text([[text[name] for name in COLUMNS]]))
+        append_line(self.folder / INDEX, csv_text([[text[name] for name in COLUMNS]]))
 
     def is_done(self, take: str, changed: int) -> bool:
         """Whether a take's table is finished, and its source has not changed since."""
