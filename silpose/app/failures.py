@@ -23,7 +23,8 @@ def sentence(error: Exception) -> str:
     sentence : str
         An error that no input and no machine explains is called unexpected.
     """
-    return f"silpose: {_what(error)}"
+    notes = getattr(error, "__notes__", [])  # which files a run keeps
+    return "; ".join([f"silpose: {_what(error)}", *notes])
 
 
 def _what(error: Exception) -> str:
@@ -32,6 +33,8 @@ def _what(error: Exception) -> str:
     if isinstance(error, MemoryError) or "failed to map segment" in str(error):
         return _NO_MEMORY
     kind, words = type(error).__name__, " ".join(str(error).split())
+    if isinstance(error, FileNotFoundError) and not error.filename:
+        return "the current folder is no longer there: change to another one"
     if isinstance(error, OSError) and error.strerror:
         file = f"'{error.filename}': " if error.filename else ""
         remedy = f" ({_TOO_MANY_FILES})" if "open files" in error.strerror else ""
