@@ -57,7 +57,7 @@ class TreeIndex:
         index, wanted = cls(folder), json.loads(json.dumps(settings))
         known = folder / SETTINGS
         if known.is_file():
-            _check_same(folder, json.loads(known.read_text(encoding="utf-8")), wanted)
+            _check_same(folder, _settings(known), wanted)
             index.rows = _read(folder / INDEX)
         elif any(folder.iterdir()):
             raise InputError(
@@ -123,14 +123,34 @@ def _check_same(folder: Path, known: Mapping[str, object], wanted: Mapping[str, 
 
 
 def _read(file: Path) -> dict[str, dict[str, str]]:
-    """Read an index; a last line that was cut off is left out."""
+    """Read an index; lines that are not whole are left out, and their tables looked at again."""
     if not file.is_file():
         return {}
-    text = file.read_text(encoding="utf-8")
+    text = file.read_bytes().decode(errors="replace").replace("\0", "\ufffd")
     whole = text[: text.rfind("\n") + 1]
-    rows = csv.DictReader(io.StringIO(whole, newline=""))
-    return {
-        row["take"]: {name: row[name] for name in COLUMNS}
-        for row in rows
-        if all(row.get(name) is not None for name in COLUMNS)
-    }
+    try:
+        rows = list(csv.DictReader(io.StringIO(whole, newline="")))
+    except csv.Error as error:
+        raise _damaged(file, error) from None
+    return {row["take"]: {name: row[name] for name in COLUMNS} for row in rows if _is_whole(row)}
+
+
+def _is_whole(row: Mapping[str, str | None]) -> bool:
+    values = [row.get(name) for name in COLUMNS]
+    counted = row.get("error") or all(str(row.get(name)).isdecimal() for name in COUNTS)
+    return None not in values and bool(counted)
+
+
+def _settings(file: Path) -> dict[str, object]:
+    try:
+        known = json.loads(file.read_bytes())
+        if not isinstance(known, dict):
+            raise ValueError("it holds no settings")
+    except ValueError as error:
+        raise _damaged(file, error) from None
+    return known
+
+
+def _damaged(file: Path, error: Exception) -> InputError:
+    words = " ".join(str(error).split())
+    return InputError(f"'{file}' is damaged ({words}): choose another folder by into=FOLDER")
