@@ -73,6 +73,59 @@ def test_bvh(place, walk, data):
         assert np.isfinite(taken.angles).all() and np.isfinite(taken.root_position).all()
 
 
+ASF = """\
+:version 1.10
+:units
+  length 0.45
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name spine
+    direction 0 1 0
+    length 2.0
+    axis 10 20 30 XYZ
+    dof rx ry rz
+    limits (-160.0 20.0)
+           (-70.0 70.0)
+           (-70.0 70.0)
+  end
+  begin
+    id 2
+    name skull
+    direction 0 1 0.1
+    length 1.0
+    axis 0 0 0 XYZ
+  end
+:hierarchy
+  begin
+    root spine
+    spine skull
+  end
+"""
+AMC = ":FULLY-SPECIFIED\n:DEGREES\n" + "".join(
+    f"{frame}\nroot 0.1 {frame} 3.5 10 20 30\nspine 4 5 {frame}\n" for frame in range(1, 4)
+)
+
+
+@ANY
+@given(data=st.data(), spoiled=st.sampled_from(["asf", "amc"]))
+def test_asf_amc(place, data, spoiled):
+    texts = {"asf": ASF, "amc": AMC}
+    text = data.draw(reworded(texts[spoiled])).encode(errors="replace")
+    content = data.draw(st.one_of(st.just(text), damaged(text)))
+    for kind, whole in texts.items():
+        (place / f"odd.{kind}").write_bytes(content if kind == spoiled else whole.encode())
+    raw = tried(read_raw, place / "odd.amc", (place / "odd.amc").read_bytes())
+    if raw is not None:
+        assert np.isfinite(raw.positions).all() and np.isfinite(raw.rotations).all()
+
+
 def archive(arrays):
     stored = io.BytesIO()
     np.savez(stored, **arrays)

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ import pytest
 import yaml
 
 import silpose
+from silpose.app.failures import sentence
 from silpose.core.errors import InputError
 from silpose.recording import (
     Header,
@@ -153,3 +155,15 @@ class TestFullDisk:
         limited((finished.folder / "model.npz").stat().st_size)
         with pytest.raises(InputError, match=r"run\.rrd' whole .*keeps model\.npz, report\.txt$"):
             silpose.run_experiment([*fast, f"recording.root={tmp_path}"])
+
+    @pytest.mark.parametrize("error", [MemoryError(), OSError(24, "Too many open files")])
+    def test_so_it_does_for_any_other_failure(self, finished, fast, tmp_path, monkeypatch, error):
+        def recording(header):
+            raise error
+
+        result = small_result(finished.model)
+        result = replace(result, recording=Recording("words", recording))
+        monkeypatch.setattr("silpose.experiments.single_image.single_image", lambda **_: result)
+        with pytest.raises(type(error)) as failed:
+            silpose.run_experiment([*fast, f"recording.root={tmp_path}"])
+        assert sentence(failed.value).endswith("keeps model.npz, report.txt")

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import sys
-
 from silpose.core.errors import InputError
 
 INTERRUPTED = 130
@@ -26,7 +23,8 @@ def sentence(error: Exception) -> str:
     sentence : str
         An error that no input and no machine explains is called unexpected.
     """
-    return f"silpose: {_what(error)}"
+    notes = getattr(error, "__notes__", [])  # which files a run keeps
+    return "; ".join([f"silpose: {_what(error)}", *notes])
 
 
 def _what(error: Exception) -> str:
@@ -35,20 +33,10 @@ def _what(error: Exception) -> str:
     if isinstance(error, MemoryError) or "failed to map segment" in str(error):
         return _NO_MEMORY
     kind, words = type(error).__name__, " ".join(str(error).split())
+    if isinstance(error, FileNotFoundError) and not error.filename:
+        return "the current folder is no longer there: change to another one"
     if isinstance(error, OSError) and error.strerror:
         file = f"'{error.filename}': " if error.filename else ""
         remedy = f" ({_TOO_MANY_FILES})" if "open files" in error.strerror else ""
         return f"{file}{error.strerror}{remedy}"
     return f"unexpected {kind}: {words} (debug=true shows where it comes from)"
-
-
-def print_anywhere() -> None:
-    """Let signs that the terminal cannot show become question marks rather than errors."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")
-
-
-def stop_quietly() -> None:
-    """End output that nobody reads any more, as when it goes to ``head``."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -8,7 +8,8 @@ import warnings
 from collections.abc import Sequence
 
 from silpose.app.commands import TOOLS, run_tool
-from silpose.app.failures import INTERRUPTED, print_anywhere, sentence, stop_quietly
+from silpose.app.failures import INTERRUPTED, sentence
+from silpose.app.outputs import print_anywhere, stop_quietly
 from silpose.app.suggestions import nearest
 from silpose.app.verbs import EXPERIMENT_VERBS, help_text, overrides_of, verb_help
 from silpose.core.errors import InputError

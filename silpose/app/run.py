@@ -93,8 +93,11 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
         raise
     except BaseException as error:
         kept = folder.abandon()
+        words = f"'{folder.folder}' keeps {', '.join(kept)}"
         if kept and isinstance(error, InputError):
-            raise InputError(f"{error}; '{folder.folder}' keeps {', '.join(kept)}") from error
+            raise InputError(f"{error}; {words}") from error
+        if kept:
+            error.add_note(words)
         raise
     return load_run(folder.folder)
 

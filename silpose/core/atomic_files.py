@@ -1,4 +1,4 @@
-"""Files that get their name only once they are complete."""
+"""Files that get their name only once they are complete, and lines that are whole."""
 
 from __future__ import annotations
 
@@ -63,6 +63,34 @@ def writing(path: Path, check: Callable[[Path], object] | None = None) -> Iterat
         if type(error) is OSError and error.errno in (None, *_NOT_WRITTEN):
             raise not_written(path, error) from error
         raise
+
+
+def append_line(path: Path, line: str) -> None:
+    """Append a line to a file, whole or not at all.
+
+    Parameters
+    ----------
+    path : Path
+        Of lines that are whole; it is made where it is missing.
+    line : str
+        Ends in a line feed.
+
+    Raises
+    ------
+    InputError
+        If the line cannot be written; the file is as it was then.
+    """
+    try:
+        with path.open("ab", buffering=0) as file:
+            before, content = file.seek(0, os.SEEK_END), line.encode()
+            try:
+                if file.write(content) != len(content):  # the disk took only a part
+                    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+            except OSError:
+                file.truncate(before)
+                raise
+    except OSError as error:
+        raise not_written(path, error) from error
 
 
 def not_written(path: Path, error: OSError) -> InputError:

@@ -10,6 +10,7 @@ from pybvh.bvhnode import BvhEndSite, BvhJoint, BvhNode, BvhRoot
 from scipy.spatial.transform import Rotation
 
 from silpose.core import skeleton
+from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
 from silpose.core.types import Array
 from silpose.motion.motion import Motion
@@ -51,10 +52,10 @@ def save_bvh(file: str | Path, motion: Motion, scale: float = 1.0) -> None:
         axis=1,
     )
     bvh = pybvh.Bvh(nodes, root, euler, 1 / motion.frames_per_second, world_up="+y")
-    try:
-        bvh.write(file)
-    except (ValueError, OSError) as error:
-        raise InputError(f"cannot write '{file}' ({error}): name a .bvh file") from error
+    if file.suffix.lower() != ".bvh":
+        raise InputError(f"'{file}' does not end in .bvh: name a .bvh file")
+    with writing(file) as temporary:
+        bvh.write(temporary)
 
 
 def _skeleton(scale: float) -> tuple[list[BvhNode], list[str]]:

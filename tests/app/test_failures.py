@@ -1,11 +1,7 @@
-import io
-import subprocess
-import sys
-
 import pytest
 
 from silpose.app import main as command
-from silpose.app.failures import INTERRUPTED, print_anywhere, sentence
+from silpose.app.failures import INTERRUPTED, sentence
 from silpose.core.errors import InputError
 
 WORDS = {
@@ -14,6 +10,7 @@ WORDS = {
     "silpose: not enough memory: ": ImportError("a.so: failed to map segment from shared object"),
     "silpose: 'a.csv': Permission denied": PermissionError(13, "Permission denied", "a.csv"),
     "silpose: Too many open files (raise the limit by": OSError(24, "Too many open files"),
+    "silpose: the current folder is no longer there": FileNotFoundError(2, "No such file"),
     "silpose: unexpected KeyError: 'a' (debug=true": KeyError("a"),
     "silpose: unexpected ValueError: two lines (debug=true": ValueError("two\nlines"),
 }
@@ -25,6 +22,12 @@ def test_every_failure_is_one_sentence(words):
     assert said.startswith(words) and "\n" not in said
 
 
+def test_files_that_a_run_keeps_are_named():
+    error = MemoryError()
+    error.add_note("'recordings/a/001' keeps model.npz")
+    assert sentence(error).endswith("n_jobs; 'recordings/a/001' keeps model.npz")
+
+
 def test_ctrl_c_is_one_line_and_a_status_of_its_own(monkeypatch, capsys):
     def interrupted(arguments):
         raise KeyboardInterrupt
@@ -34,19 +37,3 @@ def test_ctrl_c_is_one_line_and_a_status_of_its_own(monkeypatch, capsys):
         command.main()
     assert stop.value.code == INTERRUPTED == 130
     assert capsys.readouterr().err == "silpose: interrupted\n"
-
-
-def test_a_terminal_that_is_not_utf_8_shows_question_marks(monkeypatch):
-    shown = io.BytesIO()
-    monkeypatch.setattr("sys.stdout", io.TextIOWrapper(shown, encoding="ascii"))
-    print_anywhere()
-    print("2.6° of θ", flush=True)
-    assert shown.getvalue() == b"2.6? of ?\n"
-
-
-def test_output_that_nobody_reads_is_no_error():
-    command = f"{sys.executable} -m silpose.app.main --help"
-    code = f"import subprocess; p = subprocess.Popen({command.split()!r}, stdout=subprocess.PIPE); "
-    code += "p.stdout.close(); raise SystemExit(p.wait())"
-    shown = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-    assert (shown.returncode, shown.stderr) == (0, "")

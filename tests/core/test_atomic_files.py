@@ -2,7 +2,7 @@ import errno
 
 import pytest
 
-from silpose.core.atomic_files import unfinished, writing
+from silpose.core.atomic_files import append_line, unfinished, writing
 from silpose.core.errors import InputError
 
 
@@ -56,3 +56,19 @@ def test_two_processes_never_write_to_one_temporary_file(tmp_path, monkeypatch):
         with writing(tmp_path / "a.npz") as other:
             assert mine != other
             assert set(unfinished(tmp_path / "a.npz")) == {mine, other}
+
+
+def test_a_line_is_appended_whole_or_not_at_all(tmp_path):
+    resource = pytest.importorskip("resource")  # Windows has none
+    file = tmp_path / "a.csv"
+    append_line(file, "first\n")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (9, before[1]))  # half of the second line fits
+    try:
+        with pytest.raises(InputError, match=r"cannot write '.*a\.csv' \(.*free some space"):
+            append_line(file, "second\n")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert file.read_text() == "first\n"
+    append_line(file, "third\n")
+    assert file.read_text() == "first\nthird\n"

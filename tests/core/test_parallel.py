@@ -1,5 +1,7 @@
 import contextlib
 import os
+import subprocess
+import sys
 import threading
 
 import numpy as np
@@ -100,3 +102,42 @@ def test_one_worker_works_alone_whatever_is_asked_for():
             assert set(parallel_stream(where, range(4))) == alone
             assert set(thread_map(where, 4, n_jobs=2)) == alone
         assert os.getpid() not in {pid for pid, *_ in parallel_map(where, range(4))}
+
+
+SPAWNING = """
+import multiprocessing
+import sys
+
+import joblib
+import numpy as np
+
+import silpose
+from silpose.core.parallel import parallel_map
+
+
+def estimate(run):
+    return silpose.load(run).explain_descriptors(np.full((2, 40), 0.1)).x
+
+
+if __name__ == "__main__":
+    multiprocessing.set_start_method("spawn")
+    runs = [sys.argv[1]] * 3
+    with joblib.parallel_config(n_jobs=2):
+        there = parallel_map(estimate, runs)
+    with multiprocessing.Pool(1) as pool:
+        model = silpose.load(runs[0])
+        sent = pool.apply(model.explain_descriptors, (np.full((2, 40), 0.1),)).x
+    assert multiprocessing.get_start_method() == "spawn"
+    assert all(np.array_equal(x, estimate(runs[0])) for x in [*there, sent])
+"""
+
+
+@pytest.mark.slow
+def test_workers_that_are_spawned_give_the_same(finished, tmp_path):
+    """As processes start on Windows and macOS: nothing is inherited, all is imported anew."""
+    script = tmp_path / "script.py"
+    script.write_text(SPAWNING)
+    ran = subprocess.run(
+        [sys.executable, str(script), str(finished.folder)], capture_output=True, text=True
+    )
+    assert ran.returncode == 0, ran.stderr

@@ -55,3 +55,17 @@ def test_what_cannot_be_saved(tmp_path, motion):
     nothing = Motion("m", "p", 15.0, np.full((2, 54), np.nan), np.zeros((2, 3)))
     with pytest.raises(InputError, match="no frame of the motion has a pose"):
         save_bvh(tmp_path / "m.bvh", nothing)
+
+
+def test_an_export_that_fails_leaves_the_file_of_before(tmp_path, motion, monkeypatch):
+    save_bvh(tmp_path / "m.bvh", motion)
+    before = (tmp_path / "m.bvh").read_bytes()
+
+    def write_half(bvh, path):
+        path.write_text("HIERARCHY")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(pybvh.Bvh, "write", write_half)
+    with pytest.raises(InputError, match=r"cannot write '.*m\.bvh' .*free some space"):
+        save_bvh(tmp_path / "m.bvh", motion)
+    assert [file.read_bytes() for file in tmp_path.iterdir()] == [before]

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from silpose.core.atomic_files import writing
+from silpose.core.atomic_files import append_line, writing
 from silpose.core.csv_text import csv_text
 from silpose.core.errors import InputError
 from silpose.model.trees.take_table import COUNTS
@@ -57,7 +57,7 @@ class TreeIndex:
         index, wanted = cls(folder), json.loads(json.dumps(settings))
         known = folder / SETTINGS
         if known.is_file():
-            _check_same(folder, json.loads(known.read_text(encoding="utf-8")), wanted)
+            _check_same(folder, _settings(known), wanted)
             index.rows = _read(folder / INDEX)
         elif any(folder.iterdir()):
             raise InputError(
@@ -73,8 +73,7 @@ class TreeIndex:
         """Add a take, and write its line at once."""
         text = {name: str(row.get(name, "")) for name in COLUMNS}
         self.rows[text["take"]] = text
-        with (self.folder / INDEX).open("a", newline="", encoding="utf-8") as file:
-            file.write(csv_text([[text[name] for name in COLUMNS]]))
+        append_line(self.folder / INDEX, csv_text([[text[name] for name in COLUMNS]]))
 
     def is_done(self, take: str, changed: int) -> bool:
         """Whether a take's table is finished, and its source has not changed since."""
@@ -124,14 +123,34 @@ def _check_same(folder: Path, known: Mapping[str, object], wanted: Mapping[str, 
 
 
 def _read(file: Path) -> dict[str, dict[str, str]]:
-    """Read an index; a last line that was cut off is left out."""
+    """Read an index; lines that are not whole are left out, and their tables looked at again."""
     if not file.is_file():
         return {}
-    text = file.read_text(encoding="utf-8")
+    text = file.read_bytes().decode(errors="replace").replace("\0", "\ufffd")
     whole = text[: text.rfind("\n") + 1]
-    rows = csv.DictReader(io.StringIO(whole, newline=""))
-    return {
-        row["take"]: {name: row[name] for name in COLUMNS}
-        for row in rows
-        if all(row.get(name) is not None for name in COLUMNS)
-    }
+    try:
+        rows = list(csv.DictReader(io.StringIO(whole, newline="")))
+    except csv.Error as error:
+        raise _damaged(file, error) from None
+    return {row["take"]: {name: row[name] for name in COLUMNS} for row in rows if _is_whole(row)}
+
+
+def _is_whole(row: Mapping[str, str | None]) -> bool:
+    values = [row.get(name) for name in COLUMNS]
+    counted = row.get("error") or all(str(row.get(name)).isdecimal() for name in COUNTS)
+    return None not in values and bool(counted)
+
+
+def _settings(file: Path) -> dict[str, object]:
+    try:
+        known = json.loads(file.read_bytes())
+        if not isinstance(known, dict):
+            raise ValueError("it holds no settings")
+    except ValueError as error:
+        raise _damaged(file, error) from None
+    return known
+
+
+def _damaged(file: Path, error: Exception) -> InputError:
+    words = " ".join(str(error).split())
+    return InputError(f"'{file}' is damaged ({words}): choose another folder by into=FOLDER")

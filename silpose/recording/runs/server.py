@@ -95,6 +95,8 @@ class _Files(SimpleHTTPRequestHandler):
         here = self._address()
         if not self._is_asked_from_here():
             self.send_error(403)
+        elif self.path != "/" and self._is_hidden():
+            self.send_error(404)
         elif self.path != "/":
             super().do_GET()
         else:
@@ -111,10 +113,17 @@ class _Files(SimpleHTTPRequestHandler):
 
     def do_HEAD(self) -> None:
         """Tell of a file, to the same askers."""
-        if self._is_asked_from_here():
-            super().do_HEAD()
-        else:
+        if not self._is_asked_from_here():
             self.send_error(403)
+        elif self._is_hidden():
+            self.send_error(404)
+        else:
+            super().do_HEAD()
+
+    def _is_hidden(self) -> bool:
+        """Whether a file is none that the page links to, but of the system's or half written."""
+        inside = Path(self.translate_path(self.path)).relative_to(self._root).parts
+        return any(part.startswith(".") for part in inside)
 
     def _address(self) -> str:
         return f"{HOST}:{self.connection.getsockname()[1]}"
@@ -123,7 +132,9 @@ class _Files(SimpleHTTPRequestHandler):
         """Whether the address asked for is ours, and the page that asks is ours or the viewer's."""
         names = (self._address(), self._address().replace(HOST, "localhost"))
         pages = (None, self._origin, *(f"http://{name}" for name in names))
-        return self.headers.get("Host") in names and self.headers.get("Origin") in pages
+        hosts, origins = (self.headers.get_all(name, []) for name in ("Host", "Origin"))
+        one = len(hosts) == 1 and len(origins) <= 1  # of several, others might read another one
+        return one and hosts[0] in names and [*origins, None][0] in pages
 
     def end_headers(self) -> None:
         """Let the viewer's page read our files, and no other page."""

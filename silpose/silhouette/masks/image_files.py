@@ -28,7 +28,7 @@ _TIFF = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 _JPEG = b"\xff\xd8\xff"
 _LOSSY = ("JPEG", "WEBP", "JPEG2000", "MPO", "AVIF")
 _ANIMATED = ("GIF",)
-_DENSE, _DENSEST = ("PNG", "GIF"), 10_000  # pixels that their compression gets into a byte
+_DENSE, _DENSEST = ("PNG", "GIF", "JPEG"), 10_000  # pixels that their compression gets into a byte
 _LONGEST_HOLD = 10  # frames; an animation that shows a picture for longer pauses
 
 
@@ -52,20 +52,52 @@ def read_image_file(file: Path) -> Animation:
     InputError
         If it is no image, or incomplete.
     """
+    encoded = _bytes_of(file)
+    if (pixels := _decode(encoded)) is not None:
+        return Animation([compact(Picture(pixels, file.name, lossy=encoded.startswith(_JPEG)))])
+    return _read_with_pillow(file, encoded)
+
+
+def read_photograph(file: Path) -> np.ndarray:
+    """Read one picture in colour, turned as its camera was held.
+
+    Returns
+    -------
+    pixels : ndarray of uint8, shape (H, W, 3)
+        Blue, green, red, as OpenCV has them.
+
+    Raises
+    ------
+    InputError
+        If it is no picture, or incomplete, or its claimed size cannot be.
+    """
+    encoded = _bytes_of(file)
+    whole = _is_whole_png(encoded) if encoded.startswith(_PNG) else _has_jpeg_end(encoded)
+    if not whole:
+        raise InputError(f"'{file}' is incomplete or damaged: remove it, or write it anew")
+    pixels = None
+    with silent_opencv(), suppress(Exception):  # Pillow has errors of any kind
+        if not encoded.startswith(_TIFF):  # of which Pillow does not know all
+            _opened(encoded)
+        pixels = cv2.imdecode(np.frombuffer(encoded, np.uint8), cv2.IMREAD_COLOR)
+    if pixels is None:
+        raise InputError(f"'{file}' is no picture that can be read: remove it or save it as PNG")
+    return np.asarray(pixels, np.uint8)
+
+
+def pictures_of_image(image: Image.Image, name: str) -> list[Picture]:
+    """Read all frames of an image that Pillow has opened."""
+    return _animation(image, name).pictures
+
+
+def _bytes_of(file: Path) -> bytes:
     try:
         encoded = file.read_bytes()
     except OSError as error:
         raise InputError(f"'{file}' cannot be read: {error.strerror or error}") from None
     if not encoded:
         raise InputError(f"'{file}' is empty (0 bytes): remove it, or write it anew")
-    if (pixels := _decode(encoded)) is not None:
-        return Animation([compact(Picture(pixels, file.name, lossy=encoded.startswith(_JPEG)))])
-    return _read_with_pillow(file, encoded)
-
-
-def pictures_of_image(image: Image.Image, name: str) -> list[Picture]:
-    """Read all frames of an image that Pillow has opened."""
-    return _animation(image, name).pictures
+    return encoded
 
 
 def _decode(encoded: bytes) -> np.ndarray | None:
@@ -76,7 +108,7 @@ def _decode(encoded: bytes) -> np.ndarray | None:
         if indexed or b"acTL" in beginning or b"tRNS" in beginning or not _is_whole_png(encoded):
             return None
         flags = cv2.IMREAD_UNCHANGED
-    elif encoded.startswith(_JPEG) and b"\xff\xd9" in encoded[-1024:]:
+    elif encoded.startswith(_JPEG) and _has_jpeg_end(encoded):
         flags = cv2.IMREAD_ANYCOLOR | cv2.IMREAD_ANYDEPTH
     else:
         return None
@@ -99,6 +131,11 @@ def _is_whole_png(encoded: bytes) -> bool:
         if place >= len(encoded):
             return False
     return True
+
+
+def _has_jpeg_end(encoded: bytes) -> bool:
+    """Whether a JPEG is as long as it was; other kinds do not tell here."""
+    return not encoded.startswith(_JPEG) or b"\xff\xd9" in encoded[-1024:]
 
 
 def _opened(encoded: bytes) -> Image.Image:

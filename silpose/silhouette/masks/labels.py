@@ -110,7 +110,7 @@ def choose_labels(
         return Labels(tuple(people), unknown), words
     raise InputError(
         f"{source} has {len(people)} labels, {_listing(levels, people)}: choose the person by "
-        f"silhouette.label={people[0]:.0f} (in Python label={people[0]:.0f}), or all as parts of "
+        f"silhouette.label={people[0]:.15g} (in Python label={people[0]:.15g}), or all as parts of "
         "one body by silhouette.label=all"
     )
 
@@ -120,11 +120,11 @@ def _words(wanted: object, unknown: float | None) -> str:
 
 
 def _void(unknown: float | None) -> str:
-    return "" if unknown is None else f", {unknown:.0f} (not known) given to what is nearest"
+    return "" if unknown is None else f", {unknown:.15g} (not known) given to what is nearest"
 
 
 def _range(values: Sequence[float]) -> str:
-    return f"{min(values):.0f} to {max(values):.0f}"
+    return f"{min(values):.15g} to {max(values):.15g}"
 
 
 def _background(levels: Levels, values: Sequence[float]) -> float:
@@ -155,8 +155,8 @@ def _wanted(
     missing = [label for label in chosen if label not in people]
     if missing:
         raise InputError(
-            f"{source} has no label {missing[0]:.0f}, but {_listing(levels, people)}: choose the "
-            f"person by silhouette.label={people[0]:.0f} (in Python label={people[0]:.0f})"
+            f"{source} has no label {missing[0]:.15g}, but {_listing(levels, people)}: choose the "
+            f"person by silhouette.label={people[0]:.15g} (in Python label={people[0]:.15g})"
         )
     return chosen
 
@@ -178,8 +178,8 @@ def _check_not_mixed(
     for plane in planes:
         if (plane == unknown).mean() > 0.01 and not np.isin(plane, people).any():
             raise InputError(
-                f"{source} mixes pictures of the values 0 and {people[0]:.0f} with others of 0 and "
-                f"{unknown:.0f}: say what is the person by silhouette.threshold=0.5 "
+                f"{source} mixes pictures of the values 0 and {people[0]:.15g} with others of 0 "
+                f"and {unknown:.15g}: say what is the person by silhouette.threshold=0.5 "
                 "(in Python threshold=0.5)"
             )
 
@@ -188,7 +188,7 @@ def _listing(levels: Levels, people: Sequence[float]) -> str:
     total = levels.count.sum()
     areas = levels.count[np.searchsorted(levels.values, people)] / total
     order = np.argsort(-areas, kind="stable")[:_LISTED]
-    listed = [f"{people[k]:.0f} ({100 * areas[k]:.2g} % of the pixels)" for k in sorted(order)]
+    listed = [f"{people[k]:.15g} ({100 * areas[k]:.2g} % of the pixels)" for k in sorted(order)]
     more = len(people) - len(listed)
     return ", ".join(listed) + (f" and {more} smaller" if more else "")
 

@@ -23,7 +23,7 @@ class MaskReader:
     """Reads frames as `read_masks` does, as far as the frames until now tell.
 
     What the pixels mean is decided on the first frames, and again when a frame is brighter than
-    all of those.
+    all of those. Nothing is learnt from a frame that is refused: the next one may be right again.
 
     Parameters
     ----------
@@ -70,7 +70,12 @@ class MaskReader:
                 "give one at a time"
             )
         self._frames += 1
-        self._learn(pictures[0])
+        before = self.encoding, list(self._shown), self._brightest
+        try:
+            self._learn(pictures[0])
+        except InputError:
+            self.encoding, self._shown, self._brightest = before
+            raise
         assert self.encoding is not None
         return self.encoding.apply(pictures[0])
 

@@ -6,11 +6,11 @@ import warnings
 from collections.abc import Iterator
 from pathlib import Path
 
-import cv2
 import numpy as np
 
 from silpose.core.errors import InputError
 from silpose.silhouette.masks.folders import image_files
+from silpose.silhouette.masks.image_files import read_photograph
 from silpose.silhouette.video.clock import USUAL
 from silpose.silhouette.video.frame import Frame, Picture, working_picture
 
@@ -23,14 +23,7 @@ def read_picture(file: Path, longest_side: int) -> Picture:
     InputError
         If the file is no picture.
     """
-    said = cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)
-    try:
-        picture = cv2.imread(str(file), cv2.IMREAD_COLOR)
-    finally:
-        cv2.utils.logging.setLogLevel(said)
-    if picture is None:
-        raise InputError(f"'{file}' is no picture that can be read: remove it or save it as PNG")
-    return working_picture(np.asarray(picture, np.uint8), longest_side, None)
+    return working_picture(read_photograph(file), longest_side, None)
 
 
 class FolderFrames:

@@ -1,10 +1,12 @@
+import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
 from silpose.model.trees.tree_index import TreeIndex
 
 SETTINGS = {"model": "abc", "lag": 0.5}
-ROW = {"take": 'a,"b"', "table": "t.csv", "masks": 3, "source_changed": 7}
+COUNTS = {"masks": 3, "blank": 0, "cut": 0, "doubtful": 0, "tracking": 0}
+ROW = {"take": 'a,"b"', "table": "t.csv", "source_changed": 7} | COUNTS
 
 
 def test_lines_are_read_back_though_the_last_was_cut_off(tmp_path):
@@ -45,3 +47,29 @@ def test_the_finished_index_has_the_trees_order_and_levels(tmp_path):
 def test_a_place_that_cannot_be_written_to_is_named(read_only):
     with pytest.raises(InputError, match="into=FOLDER"):
         TreeIndex.open(read_only / "index", SETTINGS)
+
+
+@pytest.mark.parametrize("content", [b"{", b"[1]", b"\xff\xfe", b""])
+def test_settings_that_were_damaged_are_named(tmp_path, content):
+    TreeIndex.open(tmp_path / "index", SETTINGS)
+    (tmp_path / "index" / "settings.json").write_bytes(content)
+    with pytest.raises(InputError, match=r"settings\.json' is damaged .*into=FOLDER"):
+        TreeIndex.open(tmp_path / "index", SETTINGS)
+
+
+def test_lines_that_are_no_longer_whole_are_left_out(tmp_path):
+    index = TreeIndex.open(tmp_path / "index", SETTINGS)
+    index.add(ROW)
+    file = tmp_path / "index" / "takes.csv"
+    whole = file.read_bytes()
+    random = np.random.default_rng(0)
+    for _ in range(200):
+        damaged = bytearray(whole)
+        damaged[random.integers(len(whole))] = random.integers(256)
+        file.write_bytes(damaged)
+        try:
+            rows = TreeIndex.open(tmp_path / "index", SETTINGS).rows.values()
+        except InputError as error:
+            assert "is damaged" in str(error)
+            continue
+        assert all(row["error"] or int(row["masks"]) >= 0 for row in rows)

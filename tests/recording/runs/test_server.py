@@ -70,6 +70,23 @@ def test_only_this_machine_is_answered(address):
     assert asked.getresponse().status == 403
 
 
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (), ("Host: example.org",), ("Host: {here}", "Host: example.org"),
+        ("Host: {here}", "Origin: http://example.org"), ("Host: {here}", "Origin: null"),
+        ("Host: {here}", "Origin: http://{here}", "Origin: http://example.org"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("asking", ["GET / HTTP/1.0", "GET / HTTP/1.1", "HEAD / HTTP/1.1"])
+def test_raw_requests_by_another_name_or_page_are_refused(address, lines, asking):
+    here = address.removeprefix("http://")
+    with socket.create_connection(("127.0.0.1", int(here.partition(":")[2]))) as asked:
+        request = "\r\n".join([asking, *lines, "", ""]).format(here=here)
+        asked.sendall(request.encode())
+        assert b" 403 " in asked.recv(100)
+
+
 def outside():
     """The addresses by which other machines know this one."""
     found = {
@@ -83,7 +100,8 @@ def outside():
 
 def test_only_runs_are_served(address, folder):
     (folder.parent / "secret").write_text("x")
-    for path in ("single_image/", "../secret", "%2e%2e/secret", "nothing"):
+    hidden = ("single_image/killed/.run.partial.rrd", "single_image/killed/%2erun.partial.rrd")
+    for path in ("single_image/", "../secret", "%2e%2e/secret", "nothing", *hidden):
         with pytest.raises(HTTPError, match="404"):
             read(f"{address}/{path}")
     assert json.loads(read(f"{address}/single_image/whole/metrics.json"))["seed"] == 0

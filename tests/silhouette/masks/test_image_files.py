@@ -8,7 +8,7 @@ import pytest
 from PIL import Image
 
 from silpose.core.errors import InputError
-from silpose.silhouette.masks.image_files import read_image_file
+from silpose.silhouette.masks.image_files import read_image_file, read_photograph
 
 
 def images(figures):
@@ -110,12 +110,24 @@ def jpeg(width, height):
     "content",
     [
         png(100_000, 100_000), png(30_000, 30_000), png(4_000, 4_000),
-        png(16, 16, claimed=2_000_000_000), jpeg(30_000, 30_000),
+        png(16, 16, claimed=2_000_000_000), jpeg(30_000, 30_000), jpeg(12_000, 12_000),
     ],
-    ids=["100000", "30000", "more than its bytes hold", "a chunk of 2 GB", "JPEG"],
+    ids=["100000", "30000", "more than its bytes hold", "a chunk of 2 GB", "JPEG", "small JPEG"],
 )  # fmt: skip
 def test_a_claimed_size_is_refused_before_memory_is_taken(tmp_path, monkeypatch, content):
     monkeypatch.setattr(cv2, "imdecode", lambda *_: pytest.fail("OpenCV would take the memory"))
     (tmp_path / "odd.png").write_bytes(content)
     with pytest.raises(InputError, match=r"odd\.png' is incomplete or damaged"):
         read_image_file(tmp_path / "odd.png")
+    with pytest.raises(InputError, match=r"odd\.png' is (incomplete|no picture)"):
+        read_photograph(tmp_path / "odd.png")
+
+
+@pytest.mark.parametrize("kind", ["JPEG", "PNG"])
+def test_a_photograph_that_was_cut_off_is_refused(tmp_path, kind):
+    noise = np.random.default_rng(0).integers(0, 256, (60, 80, 3), np.uint8)
+    Image.fromarray(noise).save(tmp_path / "a", kind)
+    assert read_photograph(tmp_path / "a").shape == (60, 80, 3)
+    (tmp_path / "a").write_bytes((tmp_path / "a").read_bytes()[:-3000])
+    with pytest.raises(InputError, match="a' is incomplete or damaged"):
+        read_photograph(tmp_path / "a")

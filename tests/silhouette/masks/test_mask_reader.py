@@ -58,3 +58,18 @@ def test_a_picture_in_colours_after_masks_is_named(figures, photo):
         reader.step(255 * figures[0])
     with pytest.raises(InputError, match=r"'frame 40' (is in colours|of the stream)"):
         reader.step(photo)
+
+
+@pytest.mark.parametrize("kind", ["shades", "labels", "huge labels"])
+def test_nothing_is_learnt_from_a_frame_that_is_refused(figures, kind):
+    reader = MaskReader()
+    reader.step(figures[0])
+    odd = {
+        "shades": np.random.default_rng(0).normal(size=figures[0].shape),
+        "labels": np.hstack([2 * figures[0][:, ::2], 3 * figures[0][:, ::2]]),
+        "huge labels": 1e300 * figures[0],
+    }[kind]
+    with pytest.raises(InputError) as refused:
+        reader.step(odd)
+    assert len(str(refused.value)) < 400
+    np.testing.assert_array_equal(reader.step(figures[1]), figures[1])
