@@ -5,7 +5,10 @@ progress, serialisation and timing. Its modules are imported by name.
 """
 
 __all__ = [
+    "array_files",
     "atomic_files",
+    "csv_text",
+    "default_parts",
     "errors",
     "frame_border",
     "lazy_exports",
@@ -13,8 +16,10 @@ __all__ = [
     "parameters",
     "pose_space",
     "progress",
+    "random_states",
     "serialisation",
     "skeleton",
+    "stage_lines",
     "stages",
     "types",
 ]
