@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from silpose.core.pose_space import PoseSpace, wrap_degrees
+from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array
+from silpose.evaluation.heading import heading_errors
+from silpose.evaluation.metrics import joint_distances
 
 HEADING_DEG, JOINTS_MM = 45.0, 120.0
 """Errors up to which a pose is right."""
@@ -24,6 +26,6 @@ def right_poses(space: PoseSpace, true: Array, estimated: Array) -> NDArray[np.b
     -------
     right : ndarray of bool, shape (F,)
     """
-    turned = np.abs(wrap_degrees(space.heading(true) - space.heading(estimated)))
-    apart = np.linalg.norm(space.joints(true) - space.joints(estimated), axis=-1)[:, 1:18]
-    return np.asarray((turned <= HEADING_DEG) & (1000 * apart.mean(axis=1) <= JOINTS_MM))
+    turned = heading_errors(space, true, estimated)
+    apart = joint_distances(space, true, estimated).mean(axis=1)
+    return np.asarray((turned <= HEADING_DEG) & (apart <= JOINTS_MM))
