@@ -8,7 +8,6 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import prod
 from pathlib import Path
 
 from hydra.core.override_parser.types import Override
@@ -125,13 +124,8 @@ def plan_sweep(typed: Sequence[str]) -> SweepPlan:
         for key, o in everything.items()
         if key not in varied and not _without_effect(key)
     }
-    counts = [values_of(o) for o in varied.values()]
     drawn = "optuna" in sweeper._target_
-    if None in counts and not drawn:
-        typed_as = list(varied.values())[counts.index(None)].input_line
-        raise InputError(
-            f"'{typed_as}' leaves open which values to run: list them, or add hydra/sweeper=optuna"
-        )
+    runs = None if drawn else _count(varied)
     paths = _absolute_paths(settings, varied)
     common |= {key: path for key, path in paths.items() if key in common}
     name = settings.recording.sweep or _name(settings, varied, common, drawn)
@@ -149,10 +143,24 @@ def plan_sweep(typed: Sequence[str]) -> SweepPlan:
         (*kept, *(f"{key}={quoted(value)}" for key, value in given.items())),
         tuple(varied),
         common,
-        None if drawn else prod(len(values or ()) for values in counts),
+        runs,
         settings.hydra.launcher,
         sweeper,
     )
+
+
+def _count(varied: dict[str, Override]) -> int:
+    """Count the runs of all combinations; refuse a setting that leaves its values open."""
+    runs = 1
+    for override in varied.values():
+        values = values_of(override)
+        if values is None:
+            raise InputError(
+                f"'{override.input_line}' leaves open which values to run: list them, or add "
+                "hydra/sweeper=optuna"
+            )
+        runs *= len(values)
+    return runs
 
 
 def _first(overrides: dict[str, Override]) -> list[str]:
