@@ -13,8 +13,9 @@ from timing import FAST, ROUNDS, report
 from silpose.core.pose_space import ANGLES
 from silpose.fitting import BodyFitter, FitterStream, PosePrior
 from silpose.fitting.contour import contour_of
-from silpose.fitting.frame_fit import fit_frame
+from silpose.fitting.frame_fit import Gaussian, fit_frame
 from silpose.fitting.geometry import geometry_of
+from silpose.fitting.likelihood import Observation
 from silpose.motion import WalkerTakes
 from silpose.silhouette import Body, Camera, render
 
@@ -58,10 +59,9 @@ if __name__ == "__main__":
 
             def frames(iterations, angles=angles, fitter=fitter, contours=contours, g=geometry):
                 for mean, contour in zip(angles, contours, strict=True):
-                    fit_frame(
-                        mean, mean, prior.precision, np.zeros(3), contour, g, fitter.view,
-                        fitter.matching, iterations,
-                    )  # fmt: skip
+                    around = Gaussian(mean, prior.precision)
+                    seen = Observation(contour, np.zeros(3), g, fitter.view, fitter.matching)
+                    fit_frame(mean, around, seen, iterations)
 
             def live(fitter=fitter, masks=masks):
                 stream = FitterStream(fitter)

@@ -65,10 +65,8 @@ def answer_of(
         poses[frame, : len(modes[k].costs)] = _poses(modes[k].parameters)
         weights[frame, : len(modes[k].costs)] = weights_of(modes[k].costs)
         fitted = Fitted(parameters[k], covariance[k], iou[frame], turning[k])
-        evidence[frame] = evidence_of(
-            fitted, problem.starts[frame, 0, :ANGLES],
-            errors, problem.roots[frame], problem.contours[frame], problem.geometry, problem.view,
-        )  # fmt: skip
+        estimate = problem.starts[frame, 0, :ANGLES]
+        evidence[frame] = evidence_of(fitted, estimate, errors, problem.observation(frame))
     sure = confidence.of(evidence)
     shared = np.median(every, axis=0)
     return Fit(

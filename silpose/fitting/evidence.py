@@ -7,13 +7,10 @@ from typing import NamedTuple
 import numpy as np
 
 from silpose.core.types import Array
-from silpose.fitting.contour import Contour
-from silpose.fitting.geometry import Geometry
 from silpose.fitting.joint_spread import joint_spread
-from silpose.fitting.likelihood import misfit_of
+from silpose.fitting.likelihood import Observation, misfit_of
 from silpose.fitting.matching import Matching
 from silpose.fitting.parameters import ANGLES, PARAMETERS, SHAPE, difference, shaped_by
-from silpose.fitting.view import View
 
 EVIDENCE = (
     "unexplained", "misfit", "deviation", "turned", "turning", "heading_spread", "joint_spread",
@@ -56,15 +53,7 @@ class Fitted(NamedTuple):
     turning: float
 
 
-def evidence_of(
-    fitted: Fitted,
-    estimate: Array,
-    errors: Array,
-    root: Array,
-    contour: Contour,
-    geometry: Geometry,
-    view: View,
-) -> Array:
+def evidence_of(fitted: Fitted, estimate: Array, errors: Array, observation: Observation) -> Array:
     """Collect what is known of a fitted frame.
 
     Parameters
@@ -74,11 +63,8 @@ def evidence_of(
         Angles that were expected, radians.
     errors : ndarray, shape (53, 53)
         Inverse covariance of such estimates' errors, the heading left out, per radian².
-    root : ndarray, shape (3,)
-    contour : Contour
-        Observed.
-    geometry, view
-        As for `likelihood.add_evidence`.
+    observation : Observation
+        However it was matched in the fit, it is compared by the default `Matching`.
 
     Returns
     -------
@@ -87,12 +73,13 @@ def evidence_of(
     """
     parameters, covariance = fitted.parameters, fitted.covariance
     off = difference(parameters[:ANGLES], estimate)
-    misfit = misfit_of(parameters, root, contour, geometry, view, _PLAIN)
+    misfit = misfit_of(parameters, observation._replace(matching=_PLAIN))
     scale = 2 * _PLAIN.independent_points * _PLAIN.outlier_scale**2
     free = np.zeros(PARAMETERS)
     free[: len(parameters)] = parameters
     certain = np.ascontiguousarray(covariance)
-    spread = joint_spread(parameters[:ANGLES], certain, shaped_by(parameters, geometry))
+    shaped = shaped_by(parameters, observation.geometry)
+    spread = joint_spread(parameters[:ANGLES], certain, shaped)
     return np.array(
         [
             np.log(max(1 - fitted.iou, _LEAST_UNEXPLAINED)),

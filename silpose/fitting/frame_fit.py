@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numba import njit
 
 from silpose.core.types import Array
-from silpose.fitting.contour import Contour
-from silpose.fitting.geometry import Geometry
-from silpose.fitting.likelihood import add_evidence, misfit_of
+from silpose.fitting.likelihood import Observation, add_evidence, misfit_of
 from silpose.fitting.limits import add_limits
 from silpose.fitting.matching import Matching
 from silpose.fitting.parameters import ANGLES, CONVERGED, difference, take_step
-from silpose.fitting.view import View
 
 _WIDEST = 2.0  # factor of the outlier scale at first
 _NARROWING = 2.0  # iterations until it is smaller by 1
@@ -21,18 +20,22 @@ _HOPELESS = 60.0  # that cost so much more than the best one,
 _ALIKE = np.deg2rad(1.0)  # or differ so little in the mean angle from a cheaper one
 
 
+class Gaussian(NamedTuple):
+    """Prior of one frame's parameters.
+
+    Attributes
+    ----------
+    mean : ndarray, shape (P,)
+    precision : ndarray, shape (P, P)
+    """
+
+    mean: Array
+    precision: Array
+
+
 @njit(cache=True, nogil=True)
 def fit_frame(
-    start: Array,
-    mean: Array,
-    precision: Array,
-    root: Array,
-    contour: Contour,
-    geometry: Geometry,
-    view: View,
-    matching: Matching,
-    iterations: int,
-    done: int = 0,
+    start: Array, prior: Gaussian, observation: Observation, iterations: int, done: int = 0
 ) -> tuple[Array, Array, float]:
     """Minimise misfit of contours and distance from the prior.
 
@@ -42,13 +45,9 @@ def fit_frame(
     Parameters
     ----------
     start : ndarray, shape (P,)
-        Parameters to start from, see `likelihood`.
-    mean, precision : ndarray, shapes (P,) and (P, P)
-        Of the Gaussian prior.
-    root : ndarray, shape (3,)
-        Metres from what the camera looks at.
-    contour, geometry, view, matching
-        As for `likelihood.add_evidence`.
+        Parameters to start from.
+    prior : Gaussian
+    observation : Observation
     iterations : int
         At most.
     done : int, default=0
@@ -66,43 +65,34 @@ def fit_frame(
     ----------
     .. [1] A. Blake and A. Zisserman, Visual Reconstruction, MIT Press, 1987.
     """
+    mean, precision = prior
     parameters = start.copy()
     hessian = precision.copy()
     for k in range(done, iterations):
         hessian = precision.copy()
         gradient = precision @ difference(mean, parameters)
         wide = max(1.0, _WIDEST - k / _NARROWING)
-        used = _widened(matching, wide)
-        add_evidence(parameters, root, contour, geometry, view, used, hessian, gradient)
+        add_evidence(parameters, _widened(observation, wide), hessian, gradient)
         add_limits(parameters, hessian, gradient)
         step = np.linalg.solve(hessian, gradient).astype(np.float64)
         if take_step(parameters, step) < CONVERGED and wide == 1.0:
             break
     off = difference(mean, parameters)
-    cost = misfit_of(parameters, root, contour, geometry, view, matching)
+    cost = misfit_of(parameters, observation)
     cost += add_limits(parameters, np.zeros_like(hessian), np.zeros_like(off))
     return parameters, hessian, cost + (off * (precision @ off)).sum()
 
 
 @njit(cache=True, nogil=True)
 def fit_starts(
-    starts: Array,
-    mean: Array,
-    precision: Array,
-    root: Array,
-    contour: Contour,
-    geometry: Geometry,
-    view: View,
-    matching: Matching,
-    iterations: int,
-    cheapest: float,
+    starts: Array, prior: Gaussian, observation: Observation, iterations: int, cheapest: float
 ) -> tuple[Array, Array, Array]:
     """Fit one frame from several starts, and give those up early that lead nowhere.
 
     Parameters
     ----------
     starts : ndarray, shape (S, P)
-    mean, precision, root, contour, geometry, view, matching, iterations
+    prior, observation, iterations
         As for `fit_frame`.
     cheapest : float
         Cost of the best pose that is known so far.
@@ -119,9 +109,7 @@ def fit_starts(
     ends, hessians = starts.copy(), np.empty((count, size, size))
     costs, trial = np.empty(count), min(_TRIAL, iterations)
     for k in range(count):
-        ends[k], hessians[k], costs[k] = fit_frame(
-            starts[k], mean, precision, root, contour, geometry, view, matching, trial
-        )
+        ends[k], hessians[k], costs[k] = fit_frame(starts[k], prior, observation, trial)
     limit = min(cheapest, costs.min()) + _HOPELESS
     order, tried = np.argsort(costs), ends.copy()
     for place in range(count):
@@ -130,7 +118,7 @@ def fit_starts(
             costs[k] = np.nan
         elif trial < iterations:
             ends[k], hessians[k], costs[k] = fit_frame(
-                ends[k], mean, precision, root, contour, geometry, view, matching, iterations, trial
+                ends[k], prior, observation, iterations, trial
             )
     return ends, hessians, costs
 
@@ -147,24 +135,18 @@ def _among(end: Array, others: Array, costs: Array) -> bool:
 
 
 @njit(cache=True, nogil=True)
-def _widened(matching: Matching, factor: float) -> Matching:
-    return Matching(
+def _widened(observation: Observation, factor: float) -> Observation:
+    contour, root, geometry, view, matching = observation
+    wide = Matching(
         matching.normal_weight, factor * matching.outlier_scale, matching.independent_points,
         matching.outside,
     )  # fmt: skip
+    return Observation(contour, root, geometry, view, wide)
 
 
 @njit(cache=True, nogil=True)
 def cost_of_turning(
-    parameters: Array,
-    mean: Array,
-    precision: Array,
-    root: Array,
-    contour: Contour,
-    geometry: Geometry,
-    view: View,
-    matching: Matching,
-    iterations: int,
+    parameters: Array, prior: Gaussian, observation: Observation, iterations: int
 ) -> float:
     """Find how much worse a fit is that starts from a pose turned around.
 
@@ -172,7 +154,7 @@ def cost_of_turning(
     ----------
     parameters : ndarray, shape (P,)
         Fitted.
-    mean, precision, root, contour, geometry, view, matching, iterations
+    prior, observation, iterations
         As for `fit_frame`; the mean's heading is taken to be that of either start.
 
     Returns
@@ -181,11 +163,10 @@ def cost_of_turning(
         Difference of minus twice the log posterior densities; negative if the turned pose explains
         the contour better.
     """
+    mean, precision = prior
     own, turned, start = mean.copy(), mean.copy(), parameters.copy()
     start[0] += np.pi
     own[0], turned[0] = parameters[0], start[0]
-    _, _, cost = fit_frame(parameters, own, precision, root, contour, geometry, view, matching, 0)
-    _, _, other = fit_frame(
-        start, turned, precision, root, contour, geometry, view, matching, iterations
-    )
+    _, _, cost = fit_frame(parameters, Gaussian(own, precision), observation, 0)
+    _, _, other = fit_frame(start, Gaussian(turned, precision), observation, iterations)
     return other - cost

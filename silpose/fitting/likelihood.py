@@ -12,6 +12,8 @@ Cauchy's weights, so that what no body explains pulls little.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numba import njit
 
@@ -26,16 +28,32 @@ from silpose.fitting.parameters import ANGLES, seen_by, shaped_by
 from silpose.fitting.view import View
 
 
+class Observation(NamedTuple):
+    """One frame's contour, and the body and camera that are to explain it.
+
+    Attributes
+    ----------
+    contour : Contour
+        Observed.
+    root : ndarray, shape (3,)
+        Metres from what the camera looks at.
+    geometry : Geometry
+        The body at parameters 0.
+    view : View
+        The camera at parameters 0, at the contour's scale.
+    matching : Matching
+    """
+
+    contour: Contour
+    root: Array
+    geometry: Geometry
+    view: View
+    matching: Matching
+
+
 @njit(cache=True)
 def add_evidence(
-    parameters: Array,
-    root: Array,
-    contour: Contour,
-    geometry: Geometry,
-    view: View,
-    matching: Matching,
-    hessian: Array,
-    gradient: Array,
+    parameters: Array, observation: Observation, hessian: Array, gradient: Array
 ) -> float:
     """Add a contour's normal equations at some parameters.
 
@@ -43,13 +61,7 @@ def add_evidence(
     ----------
     parameters : ndarray, shape (P,)
         All 68, the 57 of a frame's own, or the 54 angles.
-    root : ndarray, shape (3,)
-        Metres from what the camera looks at.
-    contour : Contour
-        Observed.
-    geometry, view
-        At parameters 0.
-    matching : Matching
+    observation : Observation
     hessian, gradient : ndarray, shapes (P, P) and (P,)
         Σ w JᵀJ and Σ w Jᵀr are added to them.
 
@@ -58,6 +70,7 @@ def add_evidence(
     misfit : float
         Minus twice the robust log-likelihood; infinite where the body is out of sight.
     """
+    contour, root, geometry, view, matching = observation
     seen, shaped = seen_by(parameters, view), shaped_by(parameters, geometry)
     rotations, positions, axes = pose_tree(parameters[:ANGLES], shaped)
     outline = outline_of(rotations, positions, root, shaped, seen)
@@ -93,15 +106,9 @@ def _add_pairs(
 
 
 @njit(cache=True)
-def misfit_of(
-    parameters: Array,
-    root: Array,
-    contour: Contour,
-    geometry: Geometry,
-    view: View,
-    matching: Matching,
-) -> float:
+def misfit_of(parameters: Array, observation: Observation) -> float:
     """Minus twice the robust log-likelihood alone, as `add_evidence` returns it."""
+    contour, root, geometry, view, matching = observation
     seen, shaped = seen_by(parameters, view), shaped_by(parameters, geometry)
     rotations, positions, _ = pose_tree(parameters[:ANGLES], shaped)
     outline = outline_of(rotations, positions, root, shaped, seen)

@@ -13,8 +13,9 @@ from silpose.core.parallel import parallel_map
 from silpose.core.types import Array, Indices, Mask
 from silpose.fitting.contour import Contour
 from silpose.fitting.fit import FAR
-from silpose.fitting.frame_fit import cost_of_turning, fit_starts
+from silpose.fitting.frame_fit import Gaussian, cost_of_turning, fit_starts
 from silpose.fitting.geometry import Geometry
+from silpose.fitting.likelihood import Observation
 from silpose.fitting.matching import Matching
 from silpose.fitting.modes import Modes, legs_swapped, most_likely_path, spread_around
 from silpose.fitting.overlap import aligned
@@ -91,6 +92,11 @@ class Problem:
         """The camera at the working size."""
         return self.working.view(self.camera_view)
 
+    def observation(self, frame: int) -> Observation:
+        """Tell what the body is to explain in one frame."""
+        of = self.geometry, self.view, self.matching
+        return Observation(self.contours[frame], self.roots[frame], *of)
+
     def with_aligned_starts(self) -> Problem:
         """Place the body where the contours are, where the camera is not known.
 
@@ -137,10 +143,8 @@ class Problem:
         precision, iterations = self._precision, max(1, self.iterations // 2)
 
         def cost(own: Array, expected: Array, frame: int) -> float:
-            return cost_of_turning(
-                own, expected, precision, self.roots[frame], self.contours[frame], geometry, view,
-                self.matching, iterations,
-            )  # fmt: skip
+            seen = self.observation(frame)._replace(geometry=geometry, view=view)
+            return cost_of_turning(own, Gaussian(expected, precision), seen, iterations)
 
         frames = list(zip(parameters, mean, self.frames, strict=True))
         return np.array(parallel_map(lambda frame: cost(*frame), frames, prefer="threads"))
@@ -176,13 +180,12 @@ class Problem:
         iou = self.overlaps(start)
         near = self.deviations(parameters) <= FAR
         trusted = near & (iou >= _UNLIKE_THE_REST * np.median(iou))
-        contours = [
-            self.contours[f] if good else _UNSEEN
+        seen = [
+            self.observation(f) if good else self.observation(f)._replace(contour=_UNSEEN)
             for f, good in zip(self.frames, trusted, strict=True)
         ]
         return fit_take(
-            start, means, self._shared_free, self.prior, step_seconds,
-            self.roots[self.frames], contours, self.geometry, self.view, self.matching,
+            start, means, self._shared_free, self.prior, step_seconds, seen,
             max(1, self.iterations // 2),
         )  # fmt: skip
 
@@ -207,11 +210,8 @@ class Problem:
 
     def ends(self, frame: int, starts: Array, cheapest: float = np.inf) -> list[End]:
         """Fit one frame from starts (S, P), of which those that lead nowhere are left out."""
-        parts = fit_starts(
-            starts, self.starts[frame, 0], self._precision, self.roots[frame],
-            self.contours[frame], self.geometry, self.view, self.matching, self.iterations,
-            cheapest,
-        )  # fmt: skip
+        prior = Gaussian(self.starts[frame, 0], self._precision)
+        parts = fit_starts(starts, prior, self.observation(frame), self.iterations, cheapest)
         ends = [(*end, float(cost)) for *end, cost in zip(*parts, strict=True)]
         return [end for end in ends if not np.isnan(end[2])]
 

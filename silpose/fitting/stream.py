@@ -22,10 +22,10 @@ from silpose.fitting.body_fitter import BodyFitter
 from silpose.fitting.confidence import DOUBTFUL
 from silpose.fitting.evidence import EVIDENCE, Fitted, evidence_of
 from silpose.fitting.expected_pose import ExpectedPose
-from silpose.fitting.frame_fit import cost_of_turning, fit_frame
+from silpose.fitting.frame_fit import Gaussian, cost_of_turning, fit_frame
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.image_scale import ImageScale
-from silpose.fitting.likelihood import misfit_of
+from silpose.fitting.likelihood import Observation, misfit_of
 from silpose.fitting.live_frame import End, Seen
 from silpose.fitting.parameters import ANGLES, difference
 from silpose.fitting.prior import CONTOUR_SECONDS, news
@@ -191,10 +191,8 @@ class FitterStream:
             angles = np.concatenate([angles, mean[ANGLES:]])
         follows = self._state in ("tracking", "recovered")
         iterations = self._iterations if follows else max(self._iterations, _AT_FIRST)
-        body = self._geometry, self._view, self._matching
-        parameters, hessian, _ = fit_frame(
-            angles, mean, precision, seen.root, seen.contour, *body, iterations
-        )
+        prior, observation = Gaussian(mean, precision), self._observation(seen)
+        parameters, hessian, _ = fit_frame(angles, prior, observation, iterations)
         of = seen.root, self._geometry, self._fitter.view
         iou = self._working.overlap(seen.mask, parameters, *of)
         return End(parameters, hessian, precision, iou, start is None)
@@ -202,8 +200,7 @@ class FitterStream:
     def _cost(self, end: End, seen: Seen) -> float:
         """Minus twice the log posterior, in which what is far away costs no more than a limit."""
         parameters, expected = end.parameters, self._expected
-        body = self._geometry, self._view, self._matching
-        cost = misfit_of(parameters, seen.root, seen.contour, *body)
+        cost = misfit_of(parameters, self._observation(seen))
         if seen.estimate is not None:
             off = difference(parameters[:ANGLES], seen.estimate)
             wrong = _WRONG_ESTIMATE * (1 + self._overruled)
@@ -218,13 +215,14 @@ class FitterStream:
         other = seen.estimate
         if other is None:
             other = end.parameters[:ANGLES] if self._expected is None else self._expected.mean
-        turning = cost_of_turning(
-            end.parameters, np.concatenate([other, end.parameters[ANGLES:]]), end.precision,
-            seen.root, seen.contour, self._geometry, self._view, self._matching, _TURNED,
-        )  # fmt: skip
+        observation = self._observation(seen)
+        prior = Gaussian(np.concatenate([other, end.parameters[ANGLES:]]), end.precision)
+        turning = cost_of_turning(end.parameters, prior, observation, _TURNED)
         fitted = Fitted(end.parameters, covariance, end.iou, turning)
-        of = other, self._without_heading, seen.root, seen.contour
-        return evidence_of(fitted, *of, self._geometry, self._view)
+        return evidence_of(fitted, other, self._without_heading, observation)
+
+    def _observation(self, seen: Seen) -> Observation:
+        return Observation(seen.contour, seen.root, self._geometry, self._view, self._matching)
 
     def _resize(self, working: WorkingSize) -> None:
         self._working, self._view = working, working.view(self._fitter.view)

@@ -11,20 +11,15 @@ camera's elevation and the body's shape.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
 from silpose.core.parallel import parallel_map
 from silpose.core.types import Array
-from silpose.fitting.contour import Contour
-from silpose.fitting.geometry import Geometry
-from silpose.fitting.likelihood import add_evidence
+from silpose.fitting.likelihood import Observation, add_evidence
 from silpose.fitting.limits import add_limits
-from silpose.fitting.matching import Matching
 from silpose.fitting.parameters import ANGLES, CONVERGED, ELEVATION, difference, take_step
 from silpose.fitting.prior import CONTOUR_SECONDS, PosePrior, news
-from silpose.fitting.view import View
 
 
 def fit_take(
@@ -33,11 +28,7 @@ def fit_take(
     free_precision: Array,
     prior: PosePrior,
     step_seconds: float,
-    roots: Array,
-    contours: Sequence[Contour],
-    geometry: Geometry,
-    view: View,
-    matching: Matching,
+    observations: Sequence[Observation],
     iterations: int,
 ) -> tuple[Array, Array]:
     """Minimise misfit and distance from the prior over all frames.
@@ -53,11 +44,8 @@ def fit_take(
     prior : PosePrior
     step_seconds : float
         From frame to frame.
-    roots : ndarray, shape (F, 3)
-    contours : sequence of Contour
-        Without points where there is nothing to see.
-    geometry, view, matching
-        As for `likelihood.add_evidence`.
+    observations : sequence of Observation
+        Their contours without points where there is nothing to see.
     iterations : int
 
     Returns
@@ -68,12 +56,10 @@ def fit_take(
         little, but makes them less certain than their number says.
     """
     frames, parameters = len(parameters), parameters.copy()
-    evidence = partial(_evidence, geometry=geometry, view=view, matching=matching)
     chain = _Chain(prior, step_seconds, frames, free_precision)
     for _ in range(iterations):
-        parts = parallel_map(
-            evidence, list(zip(parameters, roots, contours, strict=True)), prefer="threads"
-        )
+        seen = list(zip(parameters, observations, strict=True))
+        parts = parallel_map(_evidence, seen, prefer="threads")
         hessians = np.stack([hessian for hessian, _ in parts])
         gradients = np.stack([gradient for _, gradient in parts])
         errors = np.stack([difference(p, m) for p, m in zip(parameters, mean, strict=True)])
@@ -85,14 +71,13 @@ def fit_take(
     return parameters, chain.solve(share * hessians, share * gradients, errors)[1]
 
 
-def _evidence(
-    frame: tuple[Array, Array, Contour], geometry: Geometry, view: View, matching: Matching
-) -> tuple[Array, Array]:
-    parameters, root, contour = frame
+def _evidence(frame: tuple[Array, Observation]) -> tuple[Array, Array]:
+    """Add up the normal equations of one frame, 0 where there is nothing to see."""
+    parameters, observation = frame
     size = len(parameters)
     hessian, gradient = np.zeros((size, size)), np.zeros(size)
-    if len(contour.pixels):
-        add_evidence(parameters, root, contour, geometry, view, matching, hessian, gradient)
+    if len(observation.contour.pixels):
+        add_evidence(parameters, observation, hessian, gradient)
         add_limits(parameters, hessian, gradient)
     return hessian, gradient
 

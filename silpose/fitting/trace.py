@@ -11,7 +11,7 @@ from silpose.core.types import Array, Mask
 from silpose.fitting.body_fitter import BodyFitter
 from silpose.fitting.fitted_body import fitted_silhouettes, parameters_of
 from silpose.fitting.geometry import geometry_of
-from silpose.fitting.likelihood import misfit_of
+from silpose.fitting.likelihood import Observation, misfit_of
 from silpose.fitting.parameters import ANGLES, SHIFT_X, SHIFT_Y, difference
 
 
@@ -73,13 +73,14 @@ def trace_frame(
     ]
     working, geometry = fitter.working_size([mask]), geometry_of(fitter.body)
     contour, view = working.contour(working.mask(mask)), working.view(fitter.view)
+    observation = Observation(contour, place[0], geometry, view, fitter.matching)
     costs = []
     mean = parameters_of(fitter, fits[0])[0, :ANGLES]
     for fit in fits:
         own = parameters_of(fitter, fit)[0]
         own[[SHIFT_X, SHIFT_Y]] *= working.factor
         off = difference(mean, own[:ANGLES])
-        misfit = misfit_of(own, place[0], contour, geometry, view, fitter.matching)
+        misfit = misfit_of(own, observation)
         costs.append(misfit + off @ fitter.prior.precision @ off)
     return Trace(
         mask,

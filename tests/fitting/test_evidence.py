@@ -5,6 +5,8 @@ from silpose.core.pose_space import ANGLES as SPACE
 from silpose.fitting.contour import contour_of
 from silpose.fitting.evidence import EVIDENCE, Fitted, evidence_of
 from silpose.fitting.geometry import geometry_of
+from silpose.fitting.likelihood import Observation
+from silpose.fitting.matching import Matching
 from silpose.fitting.parameters import PARAMETERS
 
 
@@ -16,10 +18,8 @@ def evidence(body, view, walk, prior):
 
     def of(parameters=true, estimate=true, iou=0.95, turning=100.0, spread=0.01):
         fitted = Fitted(parameters, spread * np.eye(54), iou, turning)
-        contour = contour_of(walk[1][0])
-        values = evidence_of(
-            fitted, estimate, errors, np.zeros(3), contour, geometry_of(body), view
-        )
+        seen = Observation(contour_of(walk[1][0]), np.zeros(3), geometry_of(body), view, Matching())
+        values = evidence_of(fitted, estimate, errors, seen)
         assert np.isfinite(values).all()
         return dict(zip(EVIDENCE, values, strict=True))
 

@@ -3,17 +3,18 @@ import pytest
 
 from silpose.core.pose_space import ANGLES as SPACE
 from silpose.fitting.contour import contour_of
-from silpose.fitting.frame_fit import fit_frame, fit_starts
+from silpose.fitting.frame_fit import Gaussian, fit_frame, fit_starts
 from silpose.fitting.geometry import geometry_of
+from silpose.fitting.likelihood import Observation
 from silpose.fitting.matching import Matching
 
 
 @pytest.fixture
 def frame(body, view, walk, estimated, prior):
-    """Estimated angles of a frame, and what else its fit needs."""
+    """Estimated angles of a frame, its prior and its observation."""
     angles = np.deg2rad(SPACE.angles(estimated[0]))
-    seen = contour_of(walk[1][0]), geometry_of(body), view, Matching()
-    return angles, (angles, prior.precision, np.zeros(3), *seen)
+    seen = Observation(contour_of(walk[1][0]), np.zeros(3), geometry_of(body), view, Matching())
+    return angles, (Gaussian(angles, prior.precision), seen)
 
 
 def test_a_fit_may_be_interrupted(frame):

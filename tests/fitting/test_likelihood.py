@@ -4,7 +4,7 @@ import pytest
 from silpose.core.pose_space import ANGLES as SPACE
 from silpose.fitting.contour import contour_of
 from silpose.fitting.geometry import geometry_of
-from silpose.fitting.likelihood import add_evidence, misfit_of
+from silpose.fitting.likelihood import Observation, add_evidence, misfit_of
 from silpose.fitting.matching import Matching
 from silpose.fitting.overlap import projected_links
 from silpose.fitting.parameters import PARAMETERS
@@ -13,9 +13,8 @@ from silpose.fitting.parameters import PARAMETERS
 def evidence(parameters, contour, geometry, view):
     size = len(parameters)
     hessian, gradient = np.zeros((size, size)), np.zeros(size)
-    misfit = add_evidence(
-        parameters, np.zeros(3), contour, geometry, view, Matching(), hessian, gradient
-    )
+    seen = Observation(contour, np.zeros(3), geometry, view, Matching())
+    misfit = add_evidence(parameters, seen, hessian, gradient)
     return misfit, hessian, gradient
 
 
@@ -39,7 +38,7 @@ def test_misfit_alone_is_that_of_the_evidence(body, walk, view):
     x, masks = walk
     geometry, contour = geometry_of(body), contour_of(masks[1])
     parameters = parameters_of(x[0])
-    alone = misfit_of(parameters, np.zeros(3), contour, geometry, view, Matching())
+    alone = misfit_of(parameters, Observation(contour, np.zeros(3), geometry, view, Matching()))
     assert alone == pytest.approx(evidence(parameters, contour, geometry, view)[0])
 
 
