@@ -16,7 +16,7 @@ from math import cos, exp, sin
 import numpy as np
 from numba import njit
 
-from silpose.core.types import Array
+from silpose.core.types import Array, Indices
 from silpose.fitting.geometry import SHAPES, Geometry
 from silpose.fitting.outline import Outline
 from silpose.fitting.parameters import ANGLES
@@ -138,16 +138,7 @@ def add_products(
     hessian, gradient : ndarray, shapes (P, P) and (P,)
     """
     count, size = len(geometry.parents), squares.shape[1]
-    twists = np.zeros((count, 3, WRENCH))
-    for node in range(count):
-        q = positions[node]
-        for c in range(3):
-            a = axes[node, c]
-            twists[node, c, 0], twists[node, c, 1], twists[node, c, 2] = a[0], a[1], a[2]
-            twists[node, c, 3] = q[1] * a[2] - q[2] * a[1]
-            twists[node, c, 4] = q[2] * a[0] - q[0] * a[2]
-            twists[node, c, 5] = q[0] * a[1] - q[1] * a[0]
-    through = np.empty(size)
+    twists, through = _twists(positions, axes), np.empty(size)
     for node in range(count - 1, -1, -1):
         above = geometry.parents[node]
         if above >= 0:
@@ -169,19 +160,48 @@ def add_products(
             for k in range(size - WRENCH):
                 hessian[own, ANGLES + k] += through[WRENCH + k]
                 hessian[ANGLES + k, own] += through[WRENCH + k]
-            other = node
-            while other >= 0:
-                for d in range(3):
-                    if geometry.joints[other] < 0:
-                        continue
-                    product = 0.0
-                    for row in range(WRENCH):
-                        product += through[row] * twists[other, d, row]
-                    hessian[own, 3 * geometry.joints[other] + d] += product
-                    if other != node:
-                        hessian[3 * geometry.joints[other] + d, own] += product
-                other = geometry.parents[other]
+            _add_angles(own, node, through, twists, geometry.parents, geometry.joints, hessian)
     for k in range(size - WRENCH):
         gradient[ANGLES + k] += pulls[0, WRENCH + k]
         for column in range(size - WRENCH):
             hessian[ANGLES + k, ANGLES + column] += squares[0, WRENCH + k, WRENCH + column]
+
+
+@njit(cache=True)
+def _twists(positions: Array, axes: Array) -> Array:
+    """Find the twist of each of a node's three angles, shape (N, 3, 6)."""
+    twists = np.zeros((len(positions), 3, WRENCH))
+    for node in range(len(positions)):
+        q = positions[node]
+        for c in range(3):
+            a = axes[node, c]
+            twists[node, c, 0], twists[node, c, 1], twists[node, c, 2] = a[0], a[1], a[2]
+            twists[node, c, 3] = q[1] * a[2] - q[2] * a[1]
+            twists[node, c, 4] = q[2] * a[0] - q[0] * a[2]
+            twists[node, c, 5] = q[0] * a[1] - q[1] * a[0]
+    return twists
+
+
+@njit(cache=True)
+def _add_angles(
+    own: int,
+    node: int,
+    through: Array,
+    twists: Array,
+    parents: Indices,
+    joints: Indices,
+    hessian: Array,
+) -> None:
+    """Add a node's own angle times each angle of the node and of those above it."""
+    other = node
+    while other >= 0:
+        for d in range(3):
+            if joints[other] < 0:
+                continue
+            product = 0.0
+            for row in range(WRENCH):
+                product += through[row] * twists[other, d, row]
+            hessian[own, 3 * joints[other] + d] += product
+            if other != node:
+                hessian[3 * joints[other] + d, own] += product
+        other = parents[other]

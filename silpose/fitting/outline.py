@@ -67,21 +67,12 @@ def outline_of(
     -------
     outline : Outline
     """
-    links, most = geometry.points.shape[0], geometry.points.shape[1]
-    flat, hull = np.empty((most, 2)), np.empty(2 * most + 2, np.int64)
-    hulls, sizes = np.empty((links, most), np.int64), np.empty(links, np.int64)
-    corners, boxes = np.empty((links, most + 1, 2)), np.empty((links, 4))
-    for link in range(links):
-        node, own = geometry.nodes[link], geometry.counts[link]
-        project(geometry.points[link], own, rotations[node], positions[node] + root, view, flat)
-        size = _convex_hull(flat[:own], hull)
-        hulls[link, :size], sizes[link] = hull[:size], size
-        _close(flat, hull, size, corners[link], boxes[link])
+    hulls, sizes, corners, boxes = _shadows(rotations, positions, root, geometry, view)
     pixels, normals = np.empty((_MOST, 2)), np.empty((_MOST, 2))
     where, share = np.empty((_MOST, 3), np.int64), np.empty(_MOST)
     points = np.empty((_MOST, 3))
     count, cover = 0, 0
-    for link in range(links):
+    for link in range(len(sizes)):
         left = SPACING / 2  # pixels along the polygon to the next point
         for edge in range(sizes[link]):
             ax, ay = corners[link, edge, 0], corners[link, edge, 1]
@@ -115,6 +106,36 @@ def outline_of(
         pixels[:count], normals[:count], where[:count, 0], where[:count, 1], where[:count, 2],
         share[:count], points[:count],
     )  # fmt: skip
+
+
+@njit(cache=True)
+def _shadows(
+    rotations: Array, positions: Array, root: Array, geometry: Geometry, view: View
+) -> tuple[Indices, Indices, Array, Array]:
+    """Find each link's shadow, a convex polygon.
+
+    Returns
+    -------
+    hulls : ndarray of int, shape (L, K)
+        The link's points that are its corners.
+    sizes : ndarray of int, shape (L,)
+        How many they are.
+    corners : ndarray, shape (L, K + 1, 2)
+        In the image, the first again at the end.
+    boxes : ndarray, shape (L, 4)
+        Least and greatest x, then y.
+    """
+    links, most = geometry.points.shape[0], geometry.points.shape[1]
+    flat, hull = np.empty((most, 2)), np.empty(2 * most + 2, np.int64)
+    hulls, sizes = np.empty((links, most), np.int64), np.empty(links, np.int64)
+    corners, boxes = np.empty((links, most + 1, 2)), np.empty((links, 4))
+    for link in range(links):
+        node, own = geometry.nodes[link], geometry.counts[link]
+        project(geometry.points[link], own, rotations[node], positions[node] + root, view, flat)
+        size = _convex_hull(flat[:own], hull)
+        hulls[link, :size], sizes[link] = hull[:size], size
+        _close(flat, hull, size, corners[link], boxes[link])
+    return hulls, sizes, corners, boxes
 
 
 # Inner loops get plain arrays: tuples of arrays passed to a function cost more than its work.
