@@ -55,12 +55,11 @@ class RayEngine:
                 if not running:
                     return
                 ready = running[0] if ordered else ray.wait(running, num_returns=1)[0][0]
-                outcome = self._outcome(ready)
                 running.remove(ready)
-                yield outcome
+                yield self._outcome(ready)
         finally:
             for pending in running:  # an error, or Ctrl-C: nobody waits for these
-                ray.cancel(pending, force=True)
+                ray.cancel(pending)  # by force, one that ends just then would end Ray 2.60
 
     def _outcome(self, reference: Any) -> Any:
         errors = self._ray.exceptions
