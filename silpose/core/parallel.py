@@ -8,22 +8,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
+from functools import partial
 from os import cpu_count, getpid
-from typing import Literal, TypeVar
+from socket import gethostname
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import Parallel, delayed, parallel_config
 from joblib.parallel import get_active_backend
 from threadpoolctl import threadpool_limits
 
+from silpose.core.errors import InputError
+from silpose.core.parameters import check_values, one_of
 from silpose.core.progress import bar
+
+if TYPE_CHECKING:
+    from silpose.core.ray_engine import RayEngine
 
 Item = TypeVar("Item")
 Outcome = TypeVar("Outcome")
 
+ENGINES = ("local", "joblib", "ray")
 
 _most_threads = 1_000_000  # of `thread_map`
 _serial = False  # within `one_worker`
+_ray: RayEngine | None = None  # within `engine("ray")`
 
 
 @contextmanager
@@ -51,10 +60,10 @@ def parallel_map(
 ) -> list[Outcome]:
     """Apply a function to every item.
 
-    `joblib.parallel_config` sets the number of workers, as in scikit-learn; without it, items are
-    processed one after the other in this process. Each worker has one thread for linear algebra,
-    which is faster than several for matrices of a few thousand rows, and does not slow down the
-    other workers.
+    `engine` says where, or `joblib.parallel_config` the number of workers, as in scikit-learn;
+    without either, items are processed one after the other in this process. Each worker has one
+    thread for linear algebra, which is faster than several for matrices of a few thousand rows,
+    and does not slow down the other workers.
 
     Parameters
     ----------
@@ -71,14 +80,17 @@ def parallel_map(
     outcomes : list
         In the order of the items.
     """
-    n_jobs = _jobs()
-    workers = Parallel(n_jobs, prefer=prefer, return_as="generator")
-    outcomes = []
-    with threadpool_limits(1), bar(description, len(items)) as advance:
-        for outcome in workers(delayed(_on_one_thread)(function, item, getpid()) for item in items):
-            outcomes.append(outcome)
-            advance(1)
-    return outcomes
+    return list(_outcomes(function, items, description, ordered=True, prefer=prefer))
+
+
+def parallel_in_order(
+    function: Callable[[Item], Outcome], items: Sequence[Item], *, description: str = ""
+) -> Iterator[Outcome]:
+    """Apply a function to every item, as `parallel_map` does, and yield outcomes in order.
+
+    Few are in memory at once: items are begun only a little ahead of the outcome that is yielded.
+    """
+    return _outcomes(function, items, description, ordered=True)
 
 
 def parallel_stream(
@@ -98,12 +110,72 @@ def parallel_stream(
     outcome : object
         As soon as it is there: not in the order of the items, and none is kept.
     """
-    n_jobs = _jobs()
-    workers = Parallel(n_jobs, return_as="generator_unordered")
+    return _outcomes(function, items, description, ordered=False)
+
+
+def _outcomes(
+    function: Callable[[Item], Outcome],
+    items: Sequence[Item],
+    description: str,
+    *,
+    ordered: bool,
+    prefer: Literal["processes", "threads"] = "processes",
+) -> Iterator[Outcome]:
+    """Yield outcomes of all items, from the engine that is in use."""
+    call = partial(_on_one_thread, function, getpid(), host=gethostname())
+    outcomes: Iterator[Outcome]
     with threadpool_limits(1), bar(description, len(items)) as advance:
-        for outcome in workers(delayed(_on_one_thread)(function, item, getpid()) for item in items):
+        if _ray is not None and not _serial:
+            outcomes = _ray.outcomes(call, items, ordered=ordered)
+        else:
+            kind = "generator" if ordered else "generator_unordered"
+            workers = Parallel(_jobs(), prefer=prefer, return_as=kind)
+            outcomes = workers(delayed(call)(item) for item in items)
+        for outcome in outcomes:
             yield outcome
             advance(1)
+
+
+@contextmanager
+def engine(
+    name: Literal["local", "joblib", "ray"] = "joblib",
+    n_jobs: int = -1,
+    address: str | None = None,
+) -> Iterator[None]:
+    """Choose where parallel work inside is done.
+
+    Parameters
+    ----------
+    name : {"local", "joblib", "ray"}, default="joblib"
+        In this process, one item after the other; in processes or threads of this machine; or by
+        Ray, on this machine or a cluster. Results are the same.
+    n_jobs : int, default=-1
+        Number of workers; -1 is one per processor, on a cluster all that it has.
+    address : str, optional
+        ``"HOST:PORT"`` of a Ray cluster that runs. Without it Ray is started on this machine for
+        as long as the block lasts, and listens on localhost alone.
+
+    Raises
+    ------
+    InputError
+        If Ray is not installed, or no cluster answers.
+    """
+    global _ray
+    check_values("engine", one_of(*ENGINES), name)
+    if address is not None and name != "ray":
+        raise InputError(f"address={address} needs engine='ray', not {name!r}")
+    if name != "ray":
+        with parallel_config(n_jobs=1 if name == "local" else n_jobs):
+            yield
+        return
+    from silpose.core.ray_engine import ray_engine  # Ray is an extra
+
+    before = _ray
+    with ray_engine(n_jobs, address) as _ray, parallel_config(n_jobs=1):
+        try:
+            yield
+        finally:
+            _ray = before
 
 
 def thread_map(
@@ -139,9 +211,11 @@ def _jobs() -> int | None:
     return 1 if _serial else wanted
 
 
-def _on_one_thread(function: Callable[[Item], Outcome], item: Item, caller: int) -> Outcome:
+def _on_one_thread(
+    function: Callable[[Item], Outcome], caller: int, item: Item, *, host: str
+) -> Outcome:
     global _most_threads
-    if getpid() == caller:
+    if getpid() == caller and gethostname() == host:
         return function(item)
     _most_threads = 1  # the other processors have processes of their own
     with threadpool_limits(1):  # in a process of its own, the caller's limit does not hold

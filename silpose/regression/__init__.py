@@ -13,6 +13,7 @@ trackers and evaluation.
 """
 
 from silpose.regression.basis import Basis
+from silpose.regression.blocks import FileBlock, file_blocks, split_rows, stored_blocks
 from silpose.regression.distinct_neighbours import DistinctNeighbours
 from silpose.regression.mixture import MODES, MixtureOfRegressors, normalised
 from silpose.regression.regressor import Regressor
@@ -48,6 +49,7 @@ __all__ = [
     "ChosenMixture",
     "ChosenRegressors",
     "DistinctNeighbours",
+    "FileBlock",
     "Fold",
     "MixtureOfRegressors",
     "Outcome",
@@ -60,8 +62,11 @@ __all__ = [
     "check_methods",
     "choose_mixture",
     "choose_regressors",
+    "file_blocks",
     "folds",
     "follow_bridges",
     "normalised",
     "search",
+    "split_rows",
+    "stored_blocks",
 ]

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import eigh
 from sklearn.base import clone
 
@@ -49,17 +50,27 @@ def choose(basis: Basis, z: Array, x: Array) -> Chosen:
         Not fitted.
     z, x : ndarray, shapes (n, d) and (n, m)
     """
-    some = np.linspace(0, len(z) - 1, min(len(z), _MOST)).astype(int)
+    some = compared_rows(len(z))
     mean, scale, varies = scales_of(x)
-    y = ((x - mean) / scale)[some][:, varies]
+    return choose_among(basis, z[some], (x[some] - mean) / scale, varies)
+
+
+def compared_rows(count: int) -> Indices:
+    """Return the rows of so many examples on which settings are compared."""
+    return np.linspace(0, count - 1, min(count, _MOST)).astype(int)
+
+
+def choose_among(basis: Basis, z: Array, x: Array, varies: NDArray[np.bool_]) -> Chosen:
+    """Choose as `choose` does, from the compared examples, their outputs scaled, and which vary."""
+    y = x[:, varies]
     widths = WIDTHS if basis.width == "auto" and basis.kernel else (basis.width,)
     least, found = np.inf, Chosen(_with_width(basis, widths[0]), DAMPINGS[0], np.ones(x.shape[1]))
-    if len(some) < 3 or not varies.any():
+    if len(z) < 3 or not varies.any():
         return found
     for width in widths:
         candidate = _with_width(basis, width)
-        fitted = clone(candidate).fit(z[some])
-        errors = _LeaveOneOut.of(fitted, z[some], y)
+        fitted = clone(candidate).fit(z)
+        errors = _LeaveOneOut.of(fitted, z, y)
         for damping in DAMPINGS:
             squared = errors.at(damping)
             if (score := float(np.sqrt(squared).mean())) < least:

@@ -5,6 +5,7 @@ Section III-C of the paper.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -27,12 +28,14 @@ from silpose.core.parameters import (
 from silpose.core.random_states import RandomState, generator_of
 from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array, Indices
+from silpose.regression.centres import CHOICES, choose_rows
 from silpose.regression.hellinger import square_roots
 from silpose.regression.kernels import (
     KERNELS,
     OTHER_KERNELS,
     gaussian_exponents,
     kernel_values,
+    sampled_rows,
     typical_distance,
 )
 
@@ -65,8 +68,11 @@ class Basis(TransformerMixin, BaseEstimator):
         training points, as a damaged silhouette is, the nearest ones then still respond, where
         plain kernels vanish and leave the mean. The sum needs all centres, even where only some
         kernels are kept.
+    choice : {"random", "kmeans", "farthest"}, default="random"
+        How the training points that carry a kernel are chosen, where there are more: at random,
+        as those nearest to the means of a mini-batch k-means, or each far from all others.
     random_state : int, RandomState, Generator or None, default=0
-        Seed of the subset of centres.
+        Seed of the choice.
 
     Attributes
     ----------
@@ -96,6 +102,7 @@ class Basis(TransformerMixin, BaseEstimator):
         "linear": FLAG,
         "hellinger": FLAG,
         "normalised": FLAG,
+        "choice": one_of(*CHOICES),
         "random_state": SEED,
     }
 
@@ -108,6 +115,7 @@ class Basis(TransformerMixin, BaseEstimator):
         width: float | Literal["auto"] = "auto",
         hellinger: bool = True,
         normalised: bool = False,
+        choice: Literal["random", "kmeans", "farthest"] = "random",
         random_state: RandomState = 0,
     ) -> None:
         self.kernel = kernel
@@ -116,6 +124,7 @@ class Basis(TransformerMixin, BaseEstimator):
         self.width = width
         self.hellinger = hellinger
         self.normalised = normalised
+        self.choice = choice
         self.random_state = random_state
 
     def fit(self, z: ArrayLike, y: object = None) -> Basis:
@@ -133,18 +142,56 @@ class Basis(TransformerMixin, BaseEstimator):
         InputError
             If a parameter or an input cannot be used.
         """
-        self._check()
-        inputs = self._roots(validate_data(self, z, dtype=float))
+        self.check()
+        inputs = self.roots(validate_data(self, z, dtype=float))
+        rows = self.choose_rows(len(inputs), lambda: iter([inputs]))
+        sample = inputs[sampled_rows(len(inputs))]
+        mean, variance = inputs.mean(axis=0), inputs.var(axis=0)
+        return self.use_fitted(rows, inputs[rows], mean, variance, sample)
+
+    def choose_rows(self, count: int, inputs: Callable[[], Iterator[Array]]) -> Indices:
+        """Choose which training rows carry a kernel.
+
+        Parameters
+        ----------
+        count : int
+            Number of training rows.
+        inputs : callable
+            Returns an iterator over them in blocks, as `roots` returns them; called anew for
+            every pass that the choice needs.
+
+        Returns
+        -------
+        rows : ndarray of int
+            In order.
+        """
+        wanted = min(self.centres, count) if self.kernel else 0
         random = generator_of(self.random_state)
-        count = min(self.centres, len(inputs)) if self.kernel else 0
-        self.indices_ = np.sort(random.choice(len(inputs), count, replace=False))
-        self.centres_ = inputs[self.indices_]
+        return choose_rows(self.choice, wanted, count, inputs, random)
+
+    def use_fitted(
+        self, rows: Indices, centres: Array, mean: Array, variance: Array, sample: Array
+    ) -> Basis:
+        """Use centres that have been chosen already; inputs are as `roots` returns them.
+
+        Parameters
+        ----------
+        rows : ndarray of int, shape (k,)
+            Training rows that carry a kernel.
+        centres : ndarray, shape (k, d)
+            Inputs at these.
+        mean, variance : ndarray, shape (d,)
+            Of all inputs.
+        sample : ndarray, shape (n, d)
+            Inputs at `sampled_rows`.
+        """
+        self.n_features_in_ = len(mean)
+        self.indices_, self.centres_ = rows, centres
         if self.normalised:
-            self.summed_, self.places_ = self.centres_, np.arange(count)
-        self.features_ = np.arange(inputs.shape[1] if self.linear else 0)
-        self.mean_, deviation = inputs.mean(axis=0), inputs.std(axis=0)
-        self.scale_ = np.where(deviation > 0, deviation, 1.0)
-        typical = typical_distance(inputs, self.kernel) if self.kernel else 0.0
+            self.summed_, self.places_ = self.centres_, np.arange(len(rows))
+        self.features_ = np.arange(len(mean) if self.linear else 0)
+        self.mean_, self.scale_ = mean, np.where(variance > 0, np.sqrt(variance), 1.0)
+        typical = typical_distance(self.kernel, mean, variance, sample) if self.kernel else 0.0
         width = 1.0 if self.width == "auto" else self.width
         self.beta_ = width / typical if typical > 0 else 1.0
         return self
@@ -165,7 +212,7 @@ class Basis(TransformerMixin, BaseEstimator):
 
     def evaluate(self, z: Array) -> Array:
         """Do the same for descriptors that have been checked; several times faster for one."""
-        inputs = self._roots(z)
+        inputs = self.roots(z)
         features = ((inputs - self.mean_) / self.scale_)[:, self.features_]
         if not len(self.centres_):
             return features
@@ -229,7 +276,8 @@ class Basis(TransformerMixin, BaseEstimator):
         tags.input_tags.positive_only = self.hellinger
         return tags
 
-    def _check(self) -> None:
+    def check(self) -> None:
+        """Raise `InputError` if a parameter cannot be used."""
         check_parameters(self)
         if self.kernel is None and not self.linear:
             raise InputError("a basis without kernels needs linear=True")
@@ -244,5 +292,6 @@ class Basis(TransformerMixin, BaseEstimator):
         exponents = gaussian_exponents(inputs, self.summed_, self.beta_)
         return np.asarray(softmax(exponents, axis=1)[:, self.places_])
 
-    def _roots(self, inputs: Array) -> Array:
+    def roots(self, inputs: Array) -> Array:
+        """Return descriptors (n, d) as kernels see them: square roots, if so chosen."""
         return square_roots(inputs) if self.hellinger else inputs

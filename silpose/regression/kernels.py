@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from sklearn.metrics import pairwise
 
-from silpose.core.types import Array
+from silpose.core.types import Array, Indices
 
 KERNELS = ("gaussian", "laplacian", "chi2", "polynomial", "sigmoid", "cosine")
 OTHER_KERNELS = tuple(sorted({*pairwise.PAIRWISE_KERNEL_FUNCTIONS} - {*KERNELS}))
@@ -35,13 +35,26 @@ def gaussian_exponents(inputs: Array, centres: Array, beta: float) -> Array:
     return np.multiply(squared, -beta, out=squared)
 
 
-def typical_distance(inputs: Array, kernel: str) -> float:
-    """Distance of two inputs, as the kernel measures it, on average."""
+def sampled_rows(count: int) -> Indices:
+    """Return the rows of so many examples from which the typical distance is taken."""
+    return np.arange(0, count, max(1, count // _SAMPLE))
+
+
+def typical_distance(kernel: str, mean: Array, variance: Array, sample: Array) -> float:
+    """Distance of two inputs, as the kernel measures it, on average.
+
+    Parameters
+    ----------
+    kernel : str
+    mean, variance : ndarray, shape (d,)
+        Of all inputs.
+    sample : ndarray, shape (n, d)
+        Inputs at `sampled_rows`.
+    """
     if kernel in _GAUSSIAN:
-        return float(2 * inputs.var(axis=0).sum())
-    some = inputs[:: max(1, len(inputs) // _SAMPLE)]
+        return float(2 * variance.sum())
     if kernel == "laplacian":
-        return float(pairwise.manhattan_distances(some).mean())
+        return float(pairwise.manhattan_distances(sample).mean())
     if kernel == "chi2":
-        return float(-pairwise.additive_chi2_kernel(some).mean())
-    return float((inputs**2).sum(axis=1).mean())
+        return float(-pairwise.additive_chi2_kernel(sample).mean())
+    return float((variance + mean**2).sum())

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
 from silpose.core.types import Array, Indices
-from silpose.regression.scales import scales_of
+from silpose.regression.moments import Moments
 
 
 @dataclass(frozen=True)
@@ -50,18 +50,21 @@ class NormalEquations:
         f : ndarray, shape (n, p)
         y : ndarray, shape (n, m)
         """
-        mean_f = f.mean(axis=0)
-        mean_y, scale_y, varies = scales_of(y)
+        return cls.from_moments(Moments.of(f, y))
+
+    @classmethod
+    def from_moments(cls, moments: Moments) -> NormalEquations:
+        """Take over sums over examples, which may have been added up block by block."""
+        scale, varies = moments.scales
         # A constant output stays as it is; what rounding leaves of its variance is not blown up.
-        centred, scaled = f - mean_f, np.where(varies, (y - mean_y) / scale_y, 0.0)
         return cls(
-            centred.T @ centred,
-            centred.T @ scaled,
-            (scaled**2).sum(axis=0),
-            len(f),
-            mean_f,
-            mean_y,
-            scale_y,
+            moments.gram,
+            np.where(varies, moments.cross / scale, 0.0),
+            np.where(varies, moments.squares / scale**2, 0.0),
+            moments.count,
+            moments.mean_f,
+            moments.mean_y,
+            scale,
         )
 
     def solve(self, damping: float | Array) -> Array:

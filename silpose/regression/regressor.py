@@ -15,8 +15,8 @@ from silpose.core.errors import InputError
 from silpose.core.parameters import check_parameters
 from silpose.core.serialisation import State, prefixed, without_prefix
 from silpose.core.types import Array, Indices
-from silpose.regression.automatic import choose
 from silpose.regression.basis import Basis
+from silpose.regression.examples import ArrayExamples, Blocks, StreamedExamples, TrainingExamples
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.posterior import Posterior
 
@@ -68,25 +68,50 @@ class Regressor(DefaultParts, MultiOutputMixin, RegressorMixin, BaseEstimator):
         basis = clone(self.basis) if self.basis is not None else Basis()
         self._single = outputs.ndim == 1
         columns = (outputs[:, None] if self._single else outputs).astype(float)
-        self._fit_chosen(basis, inputs, columns)
+        basis.check()
+        self._fit_chosen(basis, ArrayExamples(inputs, columns))
         return self
 
-    def _fit_chosen(self, basis: Basis, z: Array, x: Array) -> None:
-        """Choose what is "auto", and fit."""
-        check_parameters(basis)
-        if basis.kernel and basis.width == "auto":
-            basis = choose(basis, z, x).basis
-        self.fit_basis(basis.fit(z), z, x)
+    def fit_blocks(self, blocks: Blocks) -> Regressor:
+        """Fit as `fit` does, to examples that need not be in memory at once.
 
-    def fit_basis(self, basis: Basis, z: Array, x: Array) -> None:
+        Blocks are read several times, by the workers of `silpose.core.parallel`; sums over them
+        are added up in order. With the same blocks, any engine gives the same result, and to
+        rounding that of `fit` on all examples.
+
+        Parameters
+        ----------
+        blocks : sequence
+            Each a pair of inputs (n, d) and outputs (n, m), or a function that returns them, such
+            as those of `stored_blocks`.
+
+        Raises
+        ------
+        InputError
+            If a parameter or a block cannot be used; the block is named by its index.
+        """
+        check_parameters(self)
+        basis = clone(self.basis) if self.basis is not None else Basis()
+        basis.check()
+        self._single = False
+        self._fit_chosen(basis, StreamedExamples(blocks, basis.hellinger))
+        return self
+
+    def _fit_chosen(self, basis: Basis, examples: TrainingExamples) -> None:
+        """Choose what is "auto", and fit."""
+        if basis.kernel and basis.width == "auto":
+            basis = examples.choose(basis).basis
+        self.fit_basis(examples.fit(basis), examples)
+
+    def fit_basis(self, basis: Basis, examples: TrainingExamples) -> None:
         """Fit on a basis that is fitted already.
 
         Parameters
         ----------
         basis : Basis
-        z, x : ndarray, shapes (n, d) and (n, m)
+        examples : ArrayExamples or StreamedExamples
         """
-        self.fit_system(basis, NormalEquations.of(basis.evaluate(z), x))
+        self.fit_system(basis, examples.equations(basis))
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
         """Fit to normal equations that are known already: one kernel serves many settings.

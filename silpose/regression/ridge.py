@@ -7,9 +7,8 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from silpose.core.parameters import POSITIVE, Constraints, check_parameters
-from silpose.core.types import Array
-from silpose.regression.automatic import choose
 from silpose.regression.basis import Basis
+from silpose.regression.examples import TrainingExamples
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 
@@ -47,14 +46,13 @@ class RidgeRegressor(Regressor):
         self.basis = basis
         self.damping = damping
 
-    def _fit_chosen(self, basis: Basis, z: Array, x: Array) -> None:
+    def _fit_chosen(self, basis: Basis, examples: TrainingExamples) -> None:
         if self.damping != "auto":
-            super()._fit_chosen(basis, z, x)
+            super()._fit_chosen(basis, examples)
             return
-        check_parameters(basis)
-        chosen = choose(basis, z, x)
-        fitted = chosen.basis.fit(z)
-        self._solve(fitted, NormalEquations.of(fitted.evaluate(z), x), chosen.damping)
+        chosen = examples.choose(basis)
+        fitted = examples.fit(chosen.basis)
+        self._solve(fitted, examples.equations(fitted), chosen.damping)
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
         """Solve normal equations that are known already."""

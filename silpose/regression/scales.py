@@ -29,7 +29,13 @@ def scales_of(outputs: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
     varies : ndarray of bool, shape (m,)
     """
     mean, deviation = outputs.mean(axis=0), outputs.std(axis=0)
+    scale, varies = scales_from(deviation, outputs.min(axis=0), outputs.max(axis=0))
+    return mean, scale, varies
+
+
+def scales_from(deviation: Array, low: Array, high: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Return scales, and whether outputs vary, from standard deviations and ranges, each (m,)."""
     # The range is exact; a deviation from a rounded mean is not.
-    varies = np.ptp(outputs, axis=0) > _ROUNDING * np.abs(outputs).max(axis=0)
+    varies = high - low > _ROUNDING * np.maximum(np.abs(low), np.abs(high))
     varies &= deviation > _NEGLIGIBLE * deviation.max(initial=0.0)
-    return mean, np.where(varies, deviation, 1.0), varies
+    return np.where(varies, deviation, 1.0), varies

@@ -14,6 +14,7 @@ from silpose.core.parallel import parallel_map
 from silpose.core.parameters import NOT_NEGATIVE, POSITIVE, Constraints, check_parameters
 from silpose.core.types import Array
 from silpose.regression.basis import Basis
+from silpose.regression.examples import ArrayExamples, TrainingExamples
 from silpose.regression.regressor import Regressor
 from silpose.regression.scales import scales_of
 
@@ -55,9 +56,15 @@ class SupportVectorRegressor(Regressor):
         self.penalty = penalty
         self.units = units
 
-    def fit_basis(self, basis: Basis, z: Array, x: Array) -> None:
+    def fit_basis(self, basis: Basis, examples: TrainingExamples) -> None:
         """Train one machine per output on a fitted basis."""
         check_parameters(self)
+        if not isinstance(examples, ArrayExamples):
+            raise InputError(
+                "a support vector machine needs all examples in memory: use `fit`, or fit a "
+                "RidgeRegressor or RelevanceVectorRegressor to blocks"
+            )
+        z, x = examples.z, examples.x
         if basis.kernel and basis.linear:
             raise InputError("support vectors need kernels or a linear basis, not both")
         f = basis.evaluate(z)

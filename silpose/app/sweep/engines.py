@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from importlib.util import find_spec
 
@@ -10,6 +9,7 @@ from omegaconf import DictConfig
 
 from silpose.app.sweep.plan import SweepPlan
 from silpose.core.errors import InputError
+from silpose.core.ray_engine import prepare_environment
 
 _PLUGINS = {
     "hydra/launcher=joblib": ("joblib", "hydra_plugins.hydra_joblib_launcher"),
@@ -43,15 +43,12 @@ def runs_alone(launcher: DictConfig) -> bool:
 
 def _of_ray(init: DictConfig) -> list[str]:
     """Start Ray for this machine only, unless there is a cluster to join."""
-    os.environ["RAY_USAGE_STATS_ENABLED"] = "0"  # before Ray is imported
-    os.environ.setdefault("RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO", "0")  # else it warns
+    prepare_environment(alone=not init.get("address"))
     own: dict[str, object] = {"configure_logging": "false", "log_to_driver": "true"}
     if init.get("address"):
         own |= {"object_store_memory": "null"}  # which the cluster has given
     else:
         own |= {"include_dashboard": "false"}
-        # Else Ray listens on all addresses: `_node_ip_address` alone does not keep it from that.
-        os.environ["RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER"] = "0"
     return [f"+hydra.launcher.ray.init.{k}={v}" for k, v in own.items() if k not in init]
 
 

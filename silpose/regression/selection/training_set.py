@@ -7,6 +7,7 @@ from typing import Any
 
 from silpose.core.types import Array, Settings
 from silpose.regression.basis import Basis
+from silpose.regression.examples import ArrayExamples
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.ridge import RidgeRegressor
 from silpose.regression.selection.candidates import Candidates
@@ -83,7 +84,7 @@ class TrainingSet:
         """Fit support vector regressors with some settings."""
         for setting in settings:
             regressor = self._create(candidates, setting)
-            regressor.fit_basis(self._basis(setting).fit(self._z), self._z, self._x)
+            regressor.fit_basis(self._basis(setting).fit(self._z), ArrayExamples(self._z, self._x))
             yield regressor
 
     def _split(self, setting: Settings) -> tuple[Settings, Settings]:

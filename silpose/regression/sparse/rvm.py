@@ -18,9 +18,8 @@ from silpose.core.parameters import (
     check_parameters,
     one_of,
 )
-from silpose.core.types import Array
-from silpose.regression.automatic import choose
 from silpose.regression.basis import Basis
+from silpose.regression.examples import TrainingExamples
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 from silpose.regression.sparse.elimination import sparsest_within
@@ -106,15 +105,14 @@ class RelevanceVectorRegressor(Regressor):
         """`nu`, or the usual one where it is "auto" and no examples are at hand to choose by."""
         return _USUAL if self.nu == "auto" else float(self.nu)
 
-    def _fit_chosen(self, basis: Basis, z: Array, x: Array) -> None:
+    def _fit_chosen(self, basis: Basis, examples: TrainingExamples) -> None:
         if self.nu != "auto":
-            super()._fit_chosen(basis, z, x)
+            super()._fit_chosen(basis, examples)
             return
-        check_parameters(basis)
-        chosen = choose(basis, z, x)
-        fitted = chosen.basis.fit(z)
+        chosen = examples.choose(basis)
+        fitted = examples.fit(chosen.basis)
         nu = max(_SHARE * float(chosen.noise.sum()), _LEAST)
-        self._minimise(fitted, NormalEquations.of(fitted.evaluate(z), x), nu)
+        self._minimise(fitted, examples.equations(fitted), nu)
 
     def _minimise(self, basis: Basis, system: NormalEquations, nu: float) -> None:
         start = Bridges.start(system)

@@ -1,3 +1,4 @@
+import os
 from types import SimpleNamespace
 
 import pytest
@@ -35,7 +36,7 @@ def test_ray_is_for_this_machine_only_unless_there_is_a_cluster(address, monkeyp
     alone = {"include_dashboard=false"}
     assert own >= ({"object_store_memory=null"} if address else alone)
     assert not own & (alone if address else {"object_store_memory=null"})
-    assert engines.os.environ["RAY_USAGE_STATS_ENABLED"] == "0"
-    assert engines.os.environ[local] == ("1" if address else "0")  # 0: on localhost only
+    assert os.environ["RAY_USAGE_STATS_ENABLED"] == "0"
+    assert os.environ[local] == ("1" if address else "0")  # 0: on localhost only
     assert not runs_alone(launcher)
     assert runs_alone(BASIC)
