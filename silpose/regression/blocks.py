@@ -24,6 +24,8 @@ Block = tuple[Array, Array] | Callable[[], tuple[Array, Array]]
 
 Blocks = Sequence[Block]
 
+_NOTE = "blocks.txt"
+
 ROWS = 4096
 """Rows of a block: enough for linear algebra, few enough for memory."""
 
@@ -65,7 +67,7 @@ def file_blocks(inputs: str | Path, outputs: str | Path, rows: int = ROWS) -> li
     return [FileBlock(own, others, i, min(i + rows, count)) for i in range(0, count, rows)]
 
 
-def stored_blocks(blocks: Blocks, folder: str | Path) -> list[FileBlock]:
+def stored_blocks(blocks: Blocks, folder: str | Path, made_of: str) -> list[FileBlock]:
     """Make blocks, on the workers of `silpose.core.parallel`, and keep them in files.
 
     Parameters
@@ -74,7 +76,10 @@ def stored_blocks(blocks: Blocks, folder: str | Path) -> list[FileBlock]:
         For instance functions that render a take and describe its masks.
     folder : path
         Which all workers see. What is there from an earlier call that was stopped is not made
-        again: a folder is for one sequence of blocks.
+        again.
+    made_of : str
+        What the blocks depend on, such as the names of takes and all settings. The folder keeps it,
+        and is used again for the same only.
 
     Returns
     -------
@@ -83,11 +88,19 @@ def stored_blocks(blocks: Blocks, folder: str | Path) -> list[FileBlock]:
     Raises
     ------
     InputError
-        If a block cannot be used, or the folder not be written to.
+        If a block cannot be used, the folder not be written to, or it holds other blocks.
     """
     folder = Path(folder).resolve()
+    note = folder / _NOTE
     try:
         folder.mkdir(parents=True, exist_ok=True)
+        if not note.is_file() and any(folder.iterdir()):
+            raise InputError(f"'{folder}' holds other files: choose a folder of its own for blocks")
+        if not note.is_file():
+            with writing(note) as temporary:
+                temporary.write_text(made_of, encoding="utf-8")
+        if note.read_text(encoding="utf-8") != made_of:
+            raise InputError(f"'{folder}' holds blocks of other data: choose another folder")
     except OSError as error:
         raise InputError(
             f"cannot make the folder '{folder}' of blocks: {error.strerror}"

@@ -76,12 +76,17 @@ class Made:
 def test_blocks_are_made_once_and_what_is_stored_is_not_made_again(smooth, tmp_path):
     (z, x), _ = smooth
     functions = [Made(tmp_path, *block) for block in split_rows(z, x, 50)]
-    stored_blocks(functions[:2], tmp_path / "blocks")  # then it was stopped
-    stored = stored_blocks(functions, tmp_path / "blocks")
+    stored_blocks(functions[:2], tmp_path / "blocks", "walk")  # then it was stopped
+    stored = stored_blocks(functions, tmp_path / "blocks", "walk")
     regressor = RidgeRegressor().fit_blocks(stored)
     assert (tmp_path / "calls").read_text() == "...."
     expected = RidgeRegressor().fit_blocks(split_rows(z, x, 50))
     np.testing.assert_array_equal(regressor.weights_, expected.weights_)
+
+    with pytest.raises(InputError, match="blocks of other data: choose another folder"):
+        stored_blocks(functions, tmp_path / "blocks", "run")
+    with pytest.raises(InputError, match="holds other files"):
+        stored_blocks(functions, tmp_path, "walk")
 
 
 WRONG = {
@@ -115,4 +120,4 @@ def test_a_support_vector_machine_needs_all_examples(smooth):
 def test_a_folder_of_blocks_that_cannot_be_made_is_named(smooth, tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match="cannot make the folder"):
-        stored_blocks(split_rows(*smooth[0]), tmp_path / "file" / "blocks")
+        stored_blocks(split_rows(*smooth[0]), tmp_path / "file" / "blocks", "walk")
