@@ -10,8 +10,10 @@ import numpy as np
 from silpose.core.skeleton import EULER_ORDERS, JOINTS, other_side
 from silpose.core.types import Array, Indices
 from silpose.fitting.parameters import ANGLES
+from silpose.fitting.prior import PosePrior
 
 _ALIKE = np.deg2rad(1.0)  # mean difference of the angles of ends that are one mode
+_STEP_SECONDS = 1 / 15  # in which legs that pass move farther than fits err
 _LEGS = [j for j, name in enumerate(JOINTS) if name.endswith(("hip", "knee", "ankle"))]
 
 
@@ -94,6 +96,49 @@ def spread_around(modes: Modes, chosen: int) -> Array:
     off = _wrapped(modes.parameters[:, :ANGLES] - modes.parameters[chosen, :ANGLES])
     spread: Array = np.einsum("k,ki,kj->ij", weights_of(modes.costs), off, off)
     return spread
+
+
+def path_of_take(
+    modes: Sequence[Array], costs: Sequence[Array], prior: PosePrior, step_seconds: float
+) -> Indices:
+    """Choose one of each frame's modes, at first of frames that are far enough apart.
+
+    Whether legs pass or bounce off each other hardly shows in what a film's following frames
+    differ by, which errors of the fits outweigh.
+
+    Parameters
+    ----------
+    modes, costs
+        As for `most_likely_path`.
+    prior : PosePrior
+    step_seconds : float
+        From frame to frame.
+
+    Returns
+    -------
+    path : ndarray of int, shape (F,)
+    """
+    apart = max(1, round(_STEP_SECONDS / step_seconds))
+    anchors = _path(modes[::apart], costs[::apart], prior, apart * step_seconds)
+    if apart == 1:
+        return anchors
+    open_to = [np.arange(len(own)) for own in costs]
+    for frame, mode in zip(range(0, len(modes), apart), anchors, strict=True):
+        open_to[frame] = np.array([mode])
+    between = _path(
+        [own[to] for own, to in zip(modes, open_to, strict=True)],
+        [own[to] for own, to in zip(costs, open_to, strict=True)],
+        prior,
+        step_seconds,
+    )
+    return np.array([to[mode] for to, mode in zip(open_to, between, strict=True)])
+
+
+def _path(
+    modes: Sequence[Array], costs: Sequence[Array], prior: PosePrior, step_seconds: float
+) -> Indices:
+    change, bend = prior.change_within(step_seconds), prior.bend_within(step_seconds)
+    return most_likely_path(modes, costs, change, bend)
 
 
 def most_likely_path(

@@ -17,7 +17,7 @@ from silpose.fitting.frame_fit import Gaussian, cost_of_turning, fit_starts
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.likelihood import Observation
 from silpose.fitting.matching import Matching
-from silpose.fitting.modes import Modes, legs_swapped, most_likely_path, spread_around
+from silpose.fitting.modes import Modes, legs_swapped, path_of_take, spread_around
 from silpose.fitting.overlap import aligned
 from silpose.fitting.parameters import (
     ANGLES,
@@ -28,7 +28,7 @@ from silpose.fitting.parameters import (
     seen_by,
     shaped_by,
 )
-from silpose.fitting.prior import PosePrior
+from silpose.fitting.prior import CONTOUR_SECONDS, PosePrior, news
 from silpose.fitting.take_fit import fit_take
 from silpose.fitting.view import View
 from silpose.fitting.working_size import WorkingSize
@@ -158,10 +158,9 @@ class Problem:
         covariance : ndarray, shape (n, 54, 54)
             Of their angles, radians²; that there are other modes adds to it.
         """
-        path = most_likely_path(
-            [m.parameters for m in modes], [m.costs for m in modes],
-            self.prior.change_within(step_seconds), self.prior.bend_within(step_seconds),
-        )  # fmt: skip
+        share = news(step_seconds, CONTOUR_SECONDS)  # contours of following frames err alike
+        costs = [share * m.costs for m in modes]
+        path = path_of_take([m.parameters for m in modes], costs, self.prior, step_seconds)
         parameters = np.stack([m.parameters[k] for m, k in zip(modes, path, strict=True)])
         hessians = np.stack([m.hessians[k] for m, k in zip(modes, path, strict=True)])
         spread = np.stack([spread_around(m, k) for m, k in zip(modes, path, strict=True)])
@@ -220,8 +219,9 @@ class Problem:
         starts = self.starts[frame]
         ends = self.ends(frame, starts[np.isfinite(starts[:, 0])])
         if len(starts) > 1:
-            best, _, cost = min(ends, key=lambda end: end[2])
-            ends += self.ends(frame, legs_swapped(best)[None], cost)
+            best = min(ends, key=lambda end: end[2])[0]
+            # However much it costs: a path that lacks it in one frame has to swap legs twice.
+            ends += self.ends(frame, legs_swapped(best)[None])
         return Modes.of(ends)
 
     def deviations(self, parameters: Array) -> Array:
