@@ -172,7 +172,7 @@ class FrameLogger:
 
     def image(self, entity: str, image: NDArray[np.uint8]) -> None:
         """Log an image (H, W, 3), or (H, W, 4) with opacity, that stays."""
-        # The viewer heeds an image's own opacity only where all of it is less than opaque.
+        # The viewer uses an image's own opacity only where all of it is less than opaque.
         opacity = 0.99 if image.shape[2] == 4 else None
         self.static(entity, rr.Image(image, opacity=opacity))
 
