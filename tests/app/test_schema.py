@@ -35,6 +35,7 @@ OTHERS = {  # values of parameters that cannot have just any
     "motion.performer": "(.)",
     "motion.up": "z",
     "recording.sinks": [],
+    "regression.basis.choice": "kmeans",
     "regression.basis.kernel": "laplacian",
     "regression.mixture.point_estimate": "mean",
     "regression.rvm.prior": "component",

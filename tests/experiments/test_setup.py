@@ -22,7 +22,7 @@ from silpose.fitting import FittingOptions
 
 
 def test_experiments_are_functions_of_their_modules_name():
-    assert len(EXPERIMENTS) == 25
+    assert len(EXPERIMENTS) == 26
     for name, experiment in EXPERIMENTS.items():
         assert experiment.__name__ == name
         assert experiment.__module__ == f"silpose.experiments.{name}"

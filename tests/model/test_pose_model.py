@@ -39,8 +39,10 @@ def test_poses_have_joints_and_heading(model, sequence):
 
 def test_array_list_and_folder_agree(model, mask_folder, sequence):
     from_folder = model.predict(mask_folder, blank="nan")
-    np.testing.assert_array_equal(from_folder.x[:5], model.predict(sequence.masks[:5]).x)
-    np.testing.assert_array_equal(from_folder.x[:5], model.predict(list(sequence.masks[:5])).x)
+    masks = sequence.masks[:12].copy()
+    masks[5] = 0  # as in the folder; with as many rows, sums are rounded alike
+    np.testing.assert_array_equal(from_folder.x, model.predict(masks, blank="nan").x)
+    np.testing.assert_array_equal(from_folder.x, model.predict(list(masks), blank="nan").x)
 
 
 def test_a_blank_mask_is_a_row_of_nan_or_an_error_that_names_it(model, mask_folder, sequence):
