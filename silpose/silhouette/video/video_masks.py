@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterator
 
 from silpose.core.errors import InputError
@@ -12,6 +13,7 @@ from silpose.silhouette.video.backgrounds import ADAPTIVE, Background, Shadows
 from silpose.silhouette.video.camera_motion import CameraMotion
 from silpose.silhouette.video.checks import check_background, check_numbers
 from silpose.silhouette.video.followed_person import FollowedPerson
+from silpose.silhouette.video.given_masks import GivenMasks, given_masks
 from silpose.silhouette.video.learnt_background import learn_background
 from silpose.silhouette.video.masked_frame import MaskedFrame
 from silpose.silhouette.video.neural_background import NeuralBackground
@@ -19,6 +21,8 @@ from silpose.silhouette.video.open_source import open_source
 from silpose.silhouette.video.segmenter import Segmenter
 from silpose.silhouette.video.threaded import Threaded
 from silpose.silhouette.video.whole_clip import mask_sequence
+
+_LOOKED_AT = 8  # pictures by which masks are told from pictures of a scene
 
 
 class VideoMasks:
@@ -32,7 +36,8 @@ class VideoMasks:
     background : str or None, default=None
         What the scene is without the person: median of a sample of the clip, mog2 or knn (learnt
         and adapted as by OpenCV; for a camera, too), or the path of a picture of the empty scene.
-        None is median for a clip, mog2 for a camera.
+        None is median for a clip, mog2 for a camera; a clip or folder whose pictures are masks
+        already is taken as it is, without a background and morphology.
         Or selfie: there is none, as a neural network finds people, MediaPipe's.
     samples : int, default=40
         Frames of a clip, evenly over it, from which the background is learnt beforehand.
@@ -131,6 +136,7 @@ class VideoMasks:
                 "silhouette.video.background=mog2, knn, selfie, or the path of a picture of the "
                 "empty scene (in Python background='mog2' and so on)"
             )
+        self._chosen = background is not None
         self.background = background or ("mog2" if self.frames.is_live else "median")
         self.dropped = 0
 
@@ -186,18 +192,34 @@ class VideoMasks:
     def _segmenter(self) -> Segmenter:
         adapts = self.background in ADAPTIVE
         unlearnt = adapts and self.frames.is_live
+        given = self._given()
         rests = CameraMotion(self.camera_shift, renew=20 if adapts else None)
         return Segmenter(
-            self._background(),
-            None if self.background == "selfie" else rests,
+            given or self._background(),
+            None if given or self.background == "selfie" else rests,
             FollowedPerson(self.person),
-            opening=self.opening,
-            closing=self.closing,
+            opening=0 if given else self.opening,
+            closing=0 if given else self.closing,
             smallest=self.smallest,
             hole=self.hole,
             learning=min(30, self.history) if unlearnt else 0,
             source=self.frames.name,
         )
+
+    def _given(self) -> GivenMasks | None:
+        """Whether the pictures are masks already, where no background was chosen."""
+        if self._chosen or self.frames.is_live:
+            return None
+        pictures = [frame.picture for frame in self.frames.sample(_LOOKED_AT)]
+        given = given_masks(pictures)
+        if given is not None:
+            warnings.warn(
+                f"the pictures of {self.frames.name} are masks already, and taken as they are: if "
+                "they are none, give silhouette.video.background=median (in Python "
+                "background='median')",
+                stacklevel=3,
+            )
+        return given
 
     def _background(self) -> Background:
         if self.background == "selfie":
