@@ -49,6 +49,14 @@ class FittedTake:
         return cls(x, np.array([overlap(silhouette, mask) for mask, silhouette in pairs]))
 
 
+def fitter_of_take(training: FitterTraining, take: Take, camera: Camera) -> BodyFitter:
+    """Create the fitter of whole takes from the tracker's estimates, camera and shape known."""
+    return training.fitter(
+        camera=take.camera_or(camera), camera_is="known", shape_is="known",
+        whole_take=True, prior=training.tracked_prior,
+    )  # fmt: skip
+
+
 @timed("fitting")
 def fit_in_every_way(
     training: FitterTraining,
@@ -91,7 +99,7 @@ def fit_in_every_way(
     untold: dict[str, Any] = {"camera": camera, "camera_is": "estimated", "shape_is": "estimated"}
     alone = training.fitter(**told, whole_take=False)
     from_ridge = training.fitter(**told, whole_take=True)
-    together = training.fitter(**told, whole_take=True, prior=training.tracked_prior)
+    together = fitter_of_take(training, take, camera)
     estimated = training.fitter(**untold, whole_take=True, prior=training.tracked_prior)
     uninformed = training.fitter(**told, whole_take=True, prior=_prior_of_poses(training))
     poses, turned = _mean_pose(training, len(z))

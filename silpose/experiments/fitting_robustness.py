@@ -17,7 +17,7 @@ from silpose.core.stages import stage
 from silpose.core.types import Array, Mask, Metrics, Row
 from silpose.dataset import Take
 from silpose.evaluation import baselines
-from silpose.experiments.fitted_takes import FittedTake
+from silpose.experiments.fitted_takes import FittedTake, fitter_of_take
 from silpose.experiments.fitting_robustness_figure import fitting_robustness_figure
 from silpose.experiments.setup import (
     Components,
@@ -140,11 +140,7 @@ def _estimates(
             tracked = training.tracker.track(z, lag=training.lag).x
         with stage("fitting"):
             mean, neighbours = fits.starts(z)
-            fitter = fits.fitter(
-                camera=take.camera_or(camera), camera_is="known", shape_is="known",
-                whole_take=True, prior=fits.tracked_prior,
-            )  # fmt: skip
-            fit = fitter.fit(
+            fit = fitter_of_take(fits, take, camera).fit(
                 own, tracked, others=np.concatenate([mean[:, None], neighbours], axis=1),
                 roots=take.offset, frames_per_second=take.frames_per_second,
             )  # fmt: skip

@@ -83,13 +83,8 @@ class StreamedExamples:
         if not len(blocks):
             raise InputError("there is no block to fit to: give one or more")
         self._blocks, self._hellinger = blocks, hellinger
-        counts: list[int] = []
-        whole: Moments | None = None
-        for index, moments in enumerate(self._sums(partial(_survey, hellinger))):
-            whole = _added(whole, moments, index)
-            counts.append(moments.count)
-        assert whole is not None
-        self._whole = whole  # of the inputs in place of basis functions
+        # Of the inputs in place of basis functions.
+        self._whole, counts = self._total(partial(_survey, hellinger))
         self._starts = np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.intp)
 
     def choose(self, basis: Basis) -> Chosen:
@@ -111,14 +106,18 @@ class StreamedExamples:
 
     def equations(self, basis: Basis) -> NormalEquations:
         """Reduce examples to the normal equations of a fitted basis."""
-        whole: Moments | None = None
-        for index, moments in enumerate(self._sums(partial(_accumulate, basis))):
-            whole = _added(whole, moments, index)
-        assert whole is not None
-        return NormalEquations.from_moments(whole)
+        return NormalEquations.from_moments(self._total(partial(_accumulate, basis))[0])
 
-    def _sums(self, function: partial[Moments]) -> Iterator[Moments]:
-        return parallel_in_order(function, list(enumerate(self._blocks)), description="blocks")
+    def _total(self, function: partial[Moments]) -> tuple[Moments, list[int]]:
+        """Add up the sums of all blocks, in their order; and count each one's examples."""
+        whole: Moments | None = None
+        counts: list[int] = []
+        blocks = list(enumerate(self._blocks))
+        for moments in parallel_in_order(function, blocks, description="blocks"):
+            whole = _added(whole, moments, len(counts))
+            counts.append(moments.count)
+        assert whole is not None
+        return whole, counts
 
     def _inputs(self) -> Iterator[Array]:
         for numbered in enumerate(self._blocks):
