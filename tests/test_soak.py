@@ -7,14 +7,9 @@ import tracemalloc
 
 import numpy as np
 import pytest
+from small_model import tracking_and_fitting
 
 from silpose.core.errors import InputError
-from silpose.core.pose_space import ANGLES
-from silpose.descriptor import ShapeContextHistogram
-from silpose.fitting import BodyFitter, Confidence, PosePrior
-from silpose.model import PoseFitter, PoseModel
-from silpose.regression import RidgeRegressor
-from silpose.tracking import BeliefTracker
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 HOUR = 54_000  # frames, of 15 a second
@@ -24,14 +19,7 @@ RECOVERY = 8  # good frames after which the person is seen again
 
 @pytest.fixture(scope="module")
 def model(sequence, body, camera):
-    histogram = ShapeContextHistogram(codebook_size=30)
-    z = histogram.fit_transform(sequence.masks)
-    prior = PosePrior(25.0 * np.eye(54), 2e4 * np.eye(54))
-    usual = Confidence(usual_iou=0.9)
-    fitter = PoseFitter(BodyFitter(body, camera, prior, confidence=usual), z, sequence.x, 2)
-    tracker = BeliefTracker(keep=0.5).fit([(z, sequence.x)])
-    regressor = RidgeRegressor(damping=0.01).fit(z, sequence.x)
-    return PoseModel(histogram, regressor, ANGLES, 15.0, tracker, fitter)
+    return tracking_and_fitting(sequence, body, camera)
 
 
 def odd_frames(masks, rng):
