@@ -28,6 +28,8 @@ BODY_POSE: tuple[str | None, ...] = (
 """SMPL-X body joints 1 to 21, by our joints; the three spine joints share the chest's rotation, and
 the toes (None) stay at rest."""
 
+_POSED = {b: joint for b, joint in enumerate(BODY_POSE) if joint is not None}
+
 
 class Body:
     """A mannequin of one kind and shape.
@@ -122,10 +124,11 @@ def _smplx_pose(mannequin: Mannequin, rotations: Array) -> dict[str, Array32]:
     pose = mannequin.rest_pose(batch_dims=(len(rotations),))
     by_joint = dict(zip(JOINTS, np.moveaxis(rotations, 1, 0), strict=True))
     by_joint["chest"] = spine_thirds(by_joint["chest"])
-    for b, joint in enumerate(BODY_POSE):
-        if joint is not None:
-            pose["body_pose"][:, b] = Rotation.from_matrix(by_joint[joint]).as_rotvec()
-    pose["pelvis_rotation"][:] = Rotation.from_matrix(by_joint["root"]).as_rotvec()
+    turned = np.stack([by_joint[joint] for joint in ("root", *_POSED.values())], axis=1)
+    vectors = Rotation.from_matrix(turned.reshape(-1, 3, 3)).as_rotvec()
+    vectors = vectors.reshape(*turned.shape[:2], 3)
+    pose["pelvis_rotation"][:] = vectors[:, 0]
+    pose["body_pose"][:, list(_POSED)] = vectors[:, 1:]
     return pose
 
 
