@@ -12,6 +12,7 @@ from silpose.fitting.fitted_body import (
     standing_body_height,
 )
 from silpose.fitting.geometry import SHAPES
+from silpose.fitting.leg_motion import LegMotion
 from silpose.fitting.matching import Matching
 from silpose.fitting.options import ChosenOptions, FittingOptions
 from silpose.fitting.overlap import overlap
@@ -31,6 +32,7 @@ __all__ = [
     "FitterStream",
     "FittingOptions",
     "Knowledge",
+    "LegMotion",
     "Matching",
     "PosePrior",
     "Trace",

@@ -17,6 +17,7 @@ from silpose.fitting.carried import with_carried
 from silpose.fitting.confidence import Confidence
 from silpose.fitting.fit import Fit
 from silpose.fitting.geometry import geometry_of
+from silpose.fitting.leg_motion import LegMotion
 from silpose.fitting.matching import Matching
 from silpose.fitting.overlap import outline_error
 from silpose.fitting.parameters import ANGLES, ELEVATION, PARAMETERS, SHAPE
@@ -59,6 +60,8 @@ class BodyFitter:
         well as those of a bare body, with an allowance for clothes.
     confidence : Confidence, default=Confidence()
         How the probability that a pose is right is read from the evidence.
+    leg_motion : LegMotion or None, default=None
+        How legs move on, by which a take's fits tell left from right.
     """
 
     body: Body
@@ -71,6 +74,7 @@ class BodyFitter:
     iterations: int = 10
     matching: Matching = field(default_factory=Matching)
     confidence: Confidence = field(default_factory=Confidence)
+    leg_motion: LegMotion | None = None
 
     def fit(
         self,
@@ -125,7 +129,7 @@ class BodyFitter:
         problem = Problem(
             geometry_of(self.body), working, self.view, self.matching, self.prior,
             self._free_at(working), starts, places, sized, contours, np.flatnonzero(seen),
-            self.iterations,
+            self.iterations, self.leg_motion,
         )  # fmt: skip
         if self.camera_is == "estimated":
             problem = problem.with_aligned_starts()

@@ -14,7 +14,13 @@ from silpose.fitting.prior import PosePrior
 
 _ALIKE = np.deg2rad(1.0)  # mean difference of the angles of ends that are one mode
 _STEP_SECONDS = 1 / 15  # in which legs that pass move farther than fits err
-_LEGS = [j for j, name in enumerate(JOINTS) if name.endswith(("hip", "knee", "ankle"))]
+_LEG_JOINTS = [name for name in JOINTS if name.endswith(("hip", "knee", "ankle"))]
+
+LEGS = [3 * JOINTS.index(name) + k for name in _LEG_JOINTS for k in range(3)]
+"""Places of the angles of hips, knees and ankles."""
+_OTHER_LEGS = [3 * JOINTS.index(other_side(name)) + k for name in _LEG_JOINTS for k in range(3)]
+# A mirror at the plane of left and right turns about x as it was.
+_SIGNS = np.array([1.0 if a == "X" else -1.0 for name in _LEG_JOINTS for a in EULER_ORDERS[name]])
 
 
 class Modes(NamedTuple):
@@ -48,18 +54,14 @@ def legs_swapped(parameters: Array) -> Array:
 
     Parameters
     ----------
-    parameters : ndarray, shape (P,)
+    parameters : ndarray, shape (..., P)
 
     Returns
     -------
-    parameters : ndarray, shape (P,)
+    parameters : ndarray, shape (..., P)
     """
     swapped = parameters.copy()
-    for j in _LEGS:
-        other = JOINTS.index(other_side(JOINTS[j]))
-        # A mirror at the plane of left and right turns about x as it was.
-        signs = [1.0 if axis == "X" else -1.0 for axis in EULER_ORDERS[JOINTS[j]]]
-        swapped[3 * j : 3 * j + 3] = signs * parameters[3 * other : 3 * other + 3]
+    swapped[..., LEGS] = _SIGNS * parameters[..., _OTHER_LEGS]
     return swapped
 
 

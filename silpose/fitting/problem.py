@@ -15,6 +15,8 @@ from silpose.fitting.contour import Contour
 from silpose.fitting.fit import FAR
 from silpose.fitting.frame_fit import Gaussian, cost_of_turning, fit_starts
 from silpose.fitting.geometry import Geometry
+from silpose.fitting.leg_motion import LegMotion
+from silpose.fitting.leg_path import told_apart
 from silpose.fitting.likelihood import Observation
 from silpose.fitting.matching import Matching
 from silpose.fitting.modes import Modes, legs_swapped, path_of_take, spread_around
@@ -72,6 +74,8 @@ class Problem:
     frames : ndarray of int
         Those that have a contour and a start.
     iterations : int
+    leg_motion : LegMotion or None, default=None
+        How legs move on, if that is known.
     """
 
     geometry: Geometry
@@ -86,6 +90,7 @@ class Problem:
     contours: Sequence[Contour]
     frames: Indices
     iterations: int
+    leg_motion: LegMotion | None = None
 
     @property
     def view(self) -> View:
@@ -158,13 +163,25 @@ class Problem:
         covariance : ndarray, shape (n, 54, 54)
             Of their angles, radians²; that there are other modes adds to it.
         """
-        share = news(step_seconds, CONTOUR_SECONDS)  # contours of following frames err alike
+        share = self._evidence_share(modes, step_seconds)
         costs = [share * m.costs for m in modes]
         path = path_of_take([m.parameters for m in modes], costs, self.prior, step_seconds)
+        if self.leg_motion is not None:
+            modes, path = told_apart(modes, path, self.leg_motion, self.prior, share, step_seconds)
         parameters = np.stack([m.parameters[k] for m, k in zip(modes, path, strict=True)])
         hessians = np.stack([m.hessians[k] for m, k in zip(modes, path, strict=True)])
         spread = np.stack([spread_around(m, k) for m, k in zip(modes, path, strict=True)])
         return parameters, np.linalg.inv(hessians)[:, :ANGLES, :ANGLES] + spread
+
+    def _evidence_share(self, modes: Sequence[Modes], step_seconds: float) -> float:
+        """How much a frame's cost counts beside how poses change.
+
+        Contours of following frames err alike; and where no pose explains them to the pixel, as
+        through clothes, what they prefer is the less certain.
+        """
+        usual = float(np.median([m.costs[0] for m in modes]))
+        expected = 2 * self.matching.independent_points
+        return news(step_seconds, CONTOUR_SECONDS) * min(1.0, expected / max(usual, 1.0))
 
     def together(self, parameters: Array, step_seconds: float) -> tuple[Array, Array]:
         """Fit all frames as one take, from parameters (n, 57) or (n, 54) of its frames.

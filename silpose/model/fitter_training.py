@@ -15,7 +15,14 @@ from silpose.core.pose_space import ANGLES
 from silpose.core.stages import stage, timed
 from silpose.core.types import Array
 from silpose.dataset import Take
-from silpose.fitting import BodyFitter, ChosenOptions, Confidence, FittingOptions, PosePrior
+from silpose.fitting import (
+    BodyFitter,
+    ChosenOptions,
+    Confidence,
+    FittingOptions,
+    LegMotion,
+    PosePrior,
+)
 from silpose.model.left_out import regressed_left_out, tracked_left_out
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.training import DescribedDataset
@@ -127,6 +134,13 @@ class FitterTraining:
         with stage("fitting"):
             return self._prior_of(tracked_left_out(self.tracker, self.lag, train, groups))
 
+    @cached_property
+    def leg_motion(self) -> LegMotion | None:
+        """How legs move on in the training takes."""
+        takes = self.described.data.train
+        angles = [np.deg2rad(ANGLES.angles(take.x)) for take in takes]
+        return LegMotion.learn(angles, takes[0].frames_per_second)
+
     def _prior_of(
         self, estimated: Sequence[Array], performers: Sequence[str] | None = None
     ) -> PosePrior:
@@ -184,6 +198,7 @@ class FitterTraining:
             "shape_is": options.shape,
             "whole_take": options.whole_take,
             "iterations": options.iterations,
+            "leg_motion": self.leg_motion,
         }
         if "confidence" not in overrides:
             arguments["confidence"] = Confidence(usual_iou=self.usual_iou)

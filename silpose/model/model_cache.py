@@ -18,6 +18,8 @@ from silpose.model.loading import load
 from silpose.model.model_file import FORMAT
 from silpose.model.pose_model import PoseModel
 
+_TRAINING = 1  # one more whenever training makes something else of the same settings
+
 
 @dataclass(frozen=True)
 class ModelCache:
@@ -47,7 +49,7 @@ class ModelCache:
             ``XDG_CACHE_HOME``.
         """
         place = user_cache_path("silpose", appauthor=False) if folder is None else Path(folder)
-        name = digest([version("silpose"), FORMAT, DESCRIPTORS, trained_by])
+        name = digest([version("silpose"), FORMAT, DESCRIPTORS, _TRAINING, trained_by])
         return cls(place.expanduser() / f"model_{name}.npz")
 
     def fetch(self) -> PoseModel | None:

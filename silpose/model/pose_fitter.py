@@ -21,6 +21,7 @@ from silpose.fitting import (
     Fit,
     FitterStream,
     FittingOptions,
+    LegMotion,
     Matching,
     PosePrior,
 )
@@ -179,6 +180,7 @@ class PoseFitter:
             **prefixed("camera", _values_of(fitter.camera)),
             **prefixed("prior", _values_of(fitter.prior)),
             **prefixed("tracked_prior", _values_of(self.tracked_prior)),
+            **prefixed("leg_motion", _values_of(fitter.leg_motion)),
             **prefixed("matching", fitter.matching._asdict()),
             "confidence": np.array(fitter.confidence.weights),
         }
@@ -187,15 +189,16 @@ class PoseFitter:
     def from_arrays(cls, state: State) -> Self:
         """Restore a fitter from the result of `to_arrays`."""
         values = unwrapped(state)
-        body, camera, prior, tracked_prior, matching = (
+        body, camera, prior, tracked_prior, leg_motion, matching = (
             without_prefix(part, values)
-            for part in ("body", "camera", "prior", "tracked_prior", "matching")
+            for part in ("body", "camera", "prior", "tracked_prior", "leg_motion", "matching")
         )
         if "shape" in body:
             body["shape"] = body["shape"].tolist()
         fitter = BodyFitter(
             Body(**body), Camera(**camera), PosePrior(**prior), matching=Matching(**matching),
             confidence=Confidence(tuple(values["confidence"].tolist()), values["usual_iou"]),
+            leg_motion=LegMotion(**leg_motion) if leg_motion else None,
             **{name: values[name] for name in _CHOICES},
         )  # fmt: skip
         tracked = PosePrior(**tracked_prior) if tracked_prior else None
@@ -203,7 +206,7 @@ class PoseFitter:
         return cls(fitter, **own, tracked_prior=tracked)
 
 
-def _values_of(part: Camera | PosePrior | None) -> State:
+def _values_of(part: Camera | PosePrior | LegMotion | None) -> State:
     """Values of a dataclass's fields that are not None; none of no dataclass."""
     if part is None:
         return {}
