@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import LinAlgError, cho_factor, cho_solve
 
+from silpose.core.cholesky import NotPositiveDefinite, cholesky_in_place, cholesky_solve
 from silpose.core.types import Array, Indices
 from silpose.regression.moments import Moments
 
@@ -120,7 +120,7 @@ def solve_damped(matrix: Array, target: Array, damping: float | Array) -> Array:
     Parameters
     ----------
     matrix : ndarray, shape (p, p)
-        M, symmetric; overwritten.
+        M, symmetric, contiguous by rows; overwritten.
     target : ndarray, shape (p, m)
         T.
     damping : float or ndarray, shape (p,)
@@ -132,11 +132,9 @@ def solve_damped(matrix: Array, target: Array, damping: float | Array) -> Array:
     diagonal = matrix.diagonal().copy()
     matrix.flat[:: len(matrix) + 1] += damping
     try:
-        # Transposed, the symmetric matrix has LAPACK's memory order and is not copied.
-        factor = cho_factor(matrix.T, lower=True, overwrite_a=True, check_finite=False)
-    except LinAlgError:
+        return cholesky_solve(cholesky_in_place(matrix), target)
+    except NotPositiveDefinite:
         return _solve_singular(matrix, diagonal, target, damping)
-    return cho_solve(factor, target, check_finite=False)
 
 
 def _solve_singular(matrix: Array, diagonal: Array, target: Array, damping: float | Array) -> Array:
@@ -151,8 +149,8 @@ def _solve_singular(matrix: Array, diagonal: Array, target: Array, damping: floa
     while True:
         whole.flat[:: len(whole) + 1] = diagonal + damping + extra
         try:
-            factor = cho_factor(whole, lower=True, check_finite=False)
-        except LinAlgError:
+            factor = cholesky_in_place(whole.copy())
+        except NotPositiveDefinite:
             extra *= 10
             continue
-        return cho_solve(factor, target, check_finite=False)
+        return cholesky_solve(factor, target)

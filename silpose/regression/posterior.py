@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
 from scipy.linalg.blas import dsymv
 
+from silpose.core.cholesky import cholesky_inverse
 from silpose.core.types import Array
 from silpose.regression.normal_equations import NormalEquations
 
@@ -64,11 +64,11 @@ class Posterior:
         """P (k, k) in LAPACK's memory order, and σ² (m,): computed once, for all predictions."""
         system = self.system
         damped = system.gram + np.diag(self.damping)
-        inverse = cho_solve(cho_factor(damped, lower=True), np.eye(len(damped)))
+        inverse = cholesky_inverse(damped)
         freedom = len(damped) - self.damping @ inverse.diagonal() + 1  # 1 for the offset
         misfit = system.power - ((2 * system.target - system.gram @ self.a) * self.a).sum(axis=0)
         noise = np.maximum(misfit, 0) / max(system.count - freedom, 1.0)
-        return np.asfortranarray(inverse), noise
+        return inverse, noise
 
     def __getstate__(self) -> dict[str, object]:
         """Leave the inverse out of pickles, which it would make twice as large."""

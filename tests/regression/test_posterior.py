@@ -52,7 +52,7 @@ def test_a_single_row_costs_no_inverse_and_gives_the_same(smooth, monkeypatch):
     regressor = RidgeRegressor(damping=0.1).fit(z, x)
     _, together = regressor.predict(unseen, return_std=True)
     solved = []
-    module = "silpose.regression.posterior.cho_factor"
+    module = "silpose.regression.posterior.cholesky_inverse"
     monkeypatch.setattr(module, lambda *args, **kwargs: solved.append(1))
     alone = [regressor.predict(row[None], return_std=True)[1][0] for row in unseen]
     np.testing.assert_allclose(alone, together)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve
 from scipy.linalg.blas import dger
 
+from silpose.core.cholesky import cholesky_inverse
 from silpose.core.types import Indices
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.sparse.quadratic_bridges import (
@@ -93,7 +93,7 @@ def _remove(system: NormalEquations, kept: Indices, number: int) -> Indices:
     # by ‖a_k‖² / P_kk; P and A change by a rank-one update.
     gram = system.gram[np.ix_(kept, kept)]
     gram.flat[:: len(gram) + 1] += _DAMPING
-    inverse = np.asfortranarray(cho_solve(cho_factor(gram, lower=True), np.eye(len(gram))))
+    inverse = cholesky_inverse(gram)
     a = inverse @ system.target[kept]
     alive = np.ones(len(kept), dtype=bool)
     for _ in range(number):
