@@ -63,7 +63,6 @@ def minimise_with_bridges(
     ----------
     system : NormalEquations
     start : Bridges
-    start : Bridges
     nu : float
         ν.
     max_iter : int
