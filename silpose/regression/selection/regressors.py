@@ -136,24 +136,30 @@ def choose_regressors(
     ridge = _ridge(held_out, candidates)
     basis = {name: ridge.settings[name] for name in candidates.basis.names("width")}
     svm = candidates.svm if units is None else candidates.svm.with_parameters(units=units)
-    choices: dict[str, Choice] = {}
-    for method in methods:
-        if method == "ridge":
-            choices[method] = ridge
-        elif method == "rvm":
-            choices[method] = _rvm(held_out, candidates, basis)
-        elif method == "svm":
-            choices[method] = _svm(held_out, svm, basis)
-        else:
-            choices[method] = _sparse_rvm(held_out, candidates.rvm, basis, method)
     if set(methods) - {"svm"}:
         held_out.whole.system(basis)  # once, before the others use it side by side
-    regressors = parallel_map(
-        Choice.regressor, list(choices.values()), description="fitting regressors", prefer="threads"
+
+    def chosen(method: str) -> tuple[Choice, Regressor]:
+        if method == "ridge":
+            choice = ridge
+        elif method == "rvm":
+            choice = _rvm(held_out, candidates, basis)
+        elif method == "svm":
+            choice = _svm(held_out, svm, basis)
+        else:
+            choice = _sparse_rvm(held_out, candidates.rvm, basis, method)
+        return choice, choice.regressor()
+
+    choices, regressors = zip(
+        *parallel_map(chosen, methods, description="fitting regressors", prefer="threads"),
+        strict=True,
     )
     held_out.whole.forget()
-    rows = [row for choice in choices.values() for row in choice.rows]
-    return ChosenRegressors(dict(zip(choices, regressors, strict=True)), rows, choices)
+    return ChosenRegressors(
+        dict(zip(methods, regressors, strict=True)),
+        [row for choice in choices for row in choice.rows],
+        dict(zip(methods, choices, strict=True)),
+    )
 
 
 def _without_idle_widths(candidates: RegressionCandidates) -> RegressionCandidates:
