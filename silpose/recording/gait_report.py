@@ -95,13 +95,13 @@ def gait_page(report: GaitReport, title: str = "Gait") -> str:
     )
 
 
-def write_gait(report: GaitReport, folder: Path, title: str = "Gait") -> tuple[Path, Path]:
+def write_gait(report: GaitReport, folder: str | Path, title: str = "Gait") -> tuple[Path, Path]:
     """Write ``gait.csv`` and ``gait.html``, each complete or not at all.
 
     Parameters
     ----------
     report : GaitReport
-    folder : Path
+    folder : path
         Exists.
     title : str, default="Gait"
         Heading of the page.
@@ -115,6 +115,7 @@ def write_gait(report: GaitReport, folder: Path, title: str = "Gait") -> tuple[P
     InputError
         If nothing can be written there.
     """
+    folder = Path(folder)
     texts = {"gait.csv": csv_text(gait_rows(report)), "gait.html": gait_page(report, title)}
     for name, text in texts.items():
         with writing(folder / name) as file:
