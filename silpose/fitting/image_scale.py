@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg import block_diag
 
 from silpose.core.types import Array
 from silpose.fitting.contour import Contour
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.overlap import aligned
-from silpose.fitting.parameters import ANGLES, LOG_SCALE, PARAMETERS
-from silpose.fitting.problem import KNOWN, SHIFT_DEVIATION
+from silpose.fitting.parameters import ANGLES, ELEVATION, LOG_SCALE
+from silpose.fitting.problem import SHIFT_DEVIATION
 from silpose.fitting.view import View
 
 # Standard deviations of the logarithm of the scale, in the first frame and later.
@@ -30,13 +29,13 @@ class ImageScale:
         self._mean, self._frames = 0.0, 0
 
     def add(self, parameters: Array) -> None:
-        """Take the parameters (68,) of one frame more into account."""
+        """Take the parameters (57,) of one frame more into account."""
         self._frames += 1
         self._mean += (float(parameters[LOG_SCALE]) - self._mean) / self._frames
 
     def placed(self, angles: Array, root: Array, contour: Contour, view: View) -> Array:
-        """Place a body where the contour is; return its parameters (68,), at the scale so far."""
-        start = np.zeros(PARAMETERS)
+        """Place a body where the contour is; return its parameters (57,), at the scale so far."""
+        start = np.zeros(ELEVATION)
         start[:ANGLES] = angles
         start[LOG_SCALE] = self._mean
         placed = aligned(start, root, contour, self._geometry, view)
@@ -45,13 +44,12 @@ class ImageScale:
         return placed
 
     def precision_with(self, precision: Array, height: float) -> Array:
-        """Extend the precision of angles (54, 54) by that of what else a frame has, (68, 68).
+        """Extend the precision of angles (54, 54) by that of shift and scale, (57, 57).
 
         Elevation and shape are those that the fitter has; the image is `height` pixels high.
         """
         shift = SHIFT_DEVIATION * height
         scale = max(_SCALE / float(np.sqrt(1 + self._frames)), _LEAST_SCALE)
-        free = np.full(PARAMETERS - ANGLES, KNOWN)
-        free[: LOG_SCALE + 1 - ANGLES] = 1 / np.square([shift, shift, scale])
-        extended: Array = block_diag(precision, np.diag(free))
+        extended: Array = np.diag([0.0] * ANGLES + [shift**-2, shift**-2, scale**-2])
+        extended[:ANGLES, :ANGLES] = precision
         return extended

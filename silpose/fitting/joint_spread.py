@@ -13,7 +13,7 @@ from silpose.fitting.kinematics import pose_tree
 from silpose.fitting.parameters import ANGLES
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def joint_spread(angles: Array, covariance: Array, geometry: Geometry) -> float:
     """Find the root mean square error that is expected of the joints, metres, root at the origin.
 

@@ -105,7 +105,7 @@ def _add_pairs(
                 squares[node, row, column] += weighted * slope[column]
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def misfit_of(parameters: Array, observation: Observation) -> float:
     """Minus twice the robust log-likelihood alone, as `add_evidence` returns it."""
     contour, root, geometry, view, matching = observation

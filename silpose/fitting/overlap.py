@@ -45,14 +45,14 @@ def aligned(
 
     Parameters
     ----------
-    parameters : ndarray, shape (68,)
+    parameters : ndarray, shape (P,)
     root : ndarray, shape (3,)
     contour : Contour
     geometry, view
 
     Returns
     -------
-    parameters : ndarray, shape (68,)
+    parameters : ndarray, shape (P,)
     """
     flat = projected_links(parameters, root, geometry, view).reshape(-1, 2)
     (left, top), (right, bottom) = contour.pixels.min(axis=0), contour.pixels.max(axis=0)

@@ -38,7 +38,7 @@ def seen_by(parameters: Array, view: View) -> View:
     )  # fmt: skip
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def shaped_by(parameters: Array, geometry: Geometry) -> Geometry:
     """Change the body's shape by the parameters."""
     if len(parameters) <= SHAPE:
@@ -54,7 +54,7 @@ def shaped_by(parameters: Array, geometry: Geometry) -> Geometry:
     )  # fmt: skip
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def difference(one: Array, other: Array) -> Array:
     """Parameters minus other parameters, angles wrapped to half a turn."""
     off = one - other

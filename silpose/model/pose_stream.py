@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from silpose.core.parallel import OneThread
 from silpose.core.types import Array, Mask
 from silpose.fitting import SHAPES, Fit, FitterStream
 from silpose.model.answers import confidence_of, warn_without_calibration
@@ -78,6 +79,12 @@ class PoseStream:
         InputError
             If the mask cannot be read, or its time is not after that of the frame before.
         """
+        with OneThread():
+            return self._step(mask, time)
+
+    __call__ = step
+
+    def _step(self, mask: ArrayLike, time: float | None) -> Poses:
         alone, facts = self._selector.step(self._reader.step(mask))
         passed = self._interval if time is None else float(time) - self._time
         now = self._time + passed
@@ -91,8 +98,6 @@ class PoseStream:
         confidence = confidence_of(self._model, z[None], x[None], facts)
         own = x[None], self._model.space, confidence, [state]
         return Poses(*own, np.array([now]), facts=facts)
-
-    __call__ = step
 
     def _describe(self, mask: Mask, seen: bool) -> Array:
         descriptor = self._model.descriptor

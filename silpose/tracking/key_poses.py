@@ -89,9 +89,14 @@ class KeyExamples:
 
     def descriptor_distances(self, seen: Array) -> Array:
         """Squared distances of whitened descriptors (n, d) to key poses', over `spread`, (n, K)."""
-        distances = squared_distances(seen, self.descriptors)
+        distances = squared_distances(seen, self.descriptors, self._squared_lengths)
         distances /= self.spread
         return distances
+
+    @cached_property
+    def _squared_lengths(self) -> Array:
+        """Of key poses' descriptors, which takes longer to find than a frame's distances."""
+        return np.asarray((self.descriptors**2).sum(axis=1))
 
 
 @dataclass(frozen=True)
@@ -189,11 +194,12 @@ def kernel(distances: Array, width: float) -> Array:
     return np.exp((nearest - distances) / (2 * width**2))
 
 
-def squared_distances(a: Array, b: Array) -> Array:
-    """Squared Euclidean distances of rows, shape (n, m)."""
-    distances = a @ (-2 * b.T)  # large: change it in place
+def squared_distances(a: Array, b: Array, lengths: Array | None = None) -> Array:
+    """Squared Euclidean distances of rows, shape (n, m); squared lengths of b's may be known."""
+    few = len(a) < len(b)  # copied with its factor
+    distances = (-2 * a) @ b.T if few else a @ (-2 * b.T)  # large: change it in place
     distances += (a**2).sum(axis=1)[:, None]
-    distances += (b**2).sum(axis=1)
+    distances += (b**2).sum(axis=1) if lengths is None else lengths
     return np.maximum(distances, 0, out=distances)
 
 

@@ -5,7 +5,7 @@ from silpose.core.pose_space import ANGLES as SPACE
 from silpose.fitting.contour import contour_of
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.image_scale import ImageScale
-from silpose.fitting.parameters import LOG_SCALE, PARAMETERS, SHIFT_X, SHIFT_Y
+from silpose.fitting.parameters import LOG_SCALE, ELEVATION, SHIFT_X, SHIFT_Y
 from silpose.silhouette import Camera, render
 
 
@@ -30,7 +30,7 @@ def test_a_body_is_placed_where_its_contour_is(scale, body, view, walk):
 
 def test_the_scale_of_a_frame_is_that_of_those_before(scale, body, view, walk):
     for value in (0.1, 0.3):
-        parameters = np.zeros(PARAMETERS)
+        parameters = np.zeros(ELEVATION)
         parameters[LOG_SCALE] = value
         scale.add(parameters)
     assert placed(scale, body, view, walk[0], 4.0)[LOG_SCALE] == pytest.approx(0.2)
@@ -39,8 +39,8 @@ def test_the_scale_of_a_frame_is_that_of_those_before(scale, body, view, walk):
 def test_the_scale_is_known_better_with_every_frame(scale):
     first = scale.precision_with(np.eye(54), 160)
     for _ in range(1000):
-        scale.add(np.zeros(PARAMETERS))
+        scale.add(np.zeros(ELEVATION))
     later = scale.precision_with(np.eye(54), 160)
-    assert first.shape == (PARAMETERS, PARAMETERS)
+    assert first.shape == (ELEVATION, ELEVATION)
     assert later[LOG_SCALE, LOG_SCALE] > 50 * first[LOG_SCALE, LOG_SCALE]
     assert later[SHIFT_X, SHIFT_X] == first[SHIFT_X, SHIFT_X]

@@ -51,7 +51,7 @@ def shadow(
     return shadows
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _tell(
     seen: Picture, usual: Picture, mask: Mask, darkest: float, chroma: float, shadows: Mask
 ) -> None:

@@ -1,4 +1,4 @@
-"""Decoding in a thread, a few frames ahead; a live source drops frames rather than falls behind."""
+"""Work in a thread, a few results ahead; live, results are dropped rather than fallen behind."""
 
 from __future__ import annotations
 
@@ -7,86 +7,77 @@ import threading
 import time
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from typing import Generic, TypeVar
 
 from silpose.silhouette.video.frame import Frame
 
-_AHEAD = 8  # frames of a film that wait, at most
-_AHEAD_LIVE = 2
+_AHEAD = 8  # results that wait, at most,
+_AHEAD_LIVE = 2  # and where they are dropped
 _RELEASED = 2.0  # seconds until a camera should be released
 _POLL = 0.1  # seconds after which the thread looks whether it is still wanted
 
+Item = TypeVar("Item")
 
-class Threaded:
-    """Iterates over frames that a thread decodes.
+
+class Threaded(Generic[Item]):
+    """Iterates over what a thread makes.
 
     Parameters
     ----------
-    frames : iterable of Frame
+    items : iterable
+        Iterated over by the thread.
     drop : bool, default=False
-        Whether the oldest waiting frame is dropped when there is no room for a new one.
-    real_time : bool, default=False
-        Whether frames come no earlier than at their times, as those of a camera do.
+        Whether the oldest waiting item is dropped when there is no room for a new one.
+    name : str, default="decoder"
+        Of the thread.
 
     Attributes
     ----------
     dropped : int
-        Frames dropped until now.
+        Items dropped until now.
     """
 
-    def __init__(
-        self, frames: Iterable[Frame], drop: bool = False, real_time: bool = False
-    ) -> None:
-        self.frames = frames
+    def __init__(self, items: Iterable[Item], drop: bool = False, name: str = "decoder") -> None:
+        self.items = items
         self.drop = drop
-        self.real_time = real_time
+        self.name = name
         self.dropped = 0
 
-    def __iter__(self) -> Iterator[Frame]:
+    def __iter__(self) -> Iterator[Item]:
         """Start the thread; it ends with the iteration, however that ends."""
-        waiting: queue.Queue[Frame | BaseException | None] = queue.Queue(
-            _AHEAD_LIVE if self.drop else _AHEAD
-        )
+        waiting: queue.Queue[Item | _End] = queue.Queue(_AHEAD_LIVE if self.drop else _AHEAD)
         unwanted = threading.Event()
         thread = threading.Thread(
-            target=self._decode, args=(waiting, unwanted), name="decoder", daemon=True
+            target=self._work, args=(waiting, unwanted), name=self.name, daemon=True
         )
         thread.start()
         try:
-            while (item := waiting.get()) is not None:
-                if isinstance(item, BaseException):
-                    raise item
+            while not isinstance(item := waiting.get(), _End):
                 yield item
+            if item.error is not None:
+                raise item.error
         finally:
             unwanted.set()
             thread.join(_RELEASED if self.drop else None)  # a camera may not answer any more
 
-    def _decode(
-        self, waiting: queue.Queue[Frame | BaseException | None], unwanted: threading.Event
-    ) -> None:
-        start = time.monotonic()
-        last: BaseException | None = None
-        frames = iter(self.frames)
+    def _work(self, waiting: queue.Queue[Item | _End], unwanted: threading.Event) -> None:
+        end = _End()
+        items = iter(self.items)
         try:
-            for frame in frames:
-                if self.real_time:
-                    unwanted.wait(max(0.0, start + frame.time - time.monotonic()))
-                    frame = replace(frame, arrived=time.monotonic())
+            for item in items:
                 if unwanted.is_set():
                     break
-                self._hand_over(frame, waiting, unwanted)
+                self._hand_over(item, waiting, unwanted)
         except Exception as error:
-            last = error
+            end = _End(error)
         finally:
-            close = getattr(frames, "close", None)
+            close = getattr(items, "close", None)
             if close is not None:
                 close()
-        _put(last, waiting, unwanted)
+        _put(end, waiting, unwanted)
 
     def _hand_over(
-        self,
-        frame: Frame,
-        waiting: queue.Queue[Frame | BaseException | None],
-        unwanted: threading.Event,
+        self, item: Item, waiting: queue.Queue[Item | _End], unwanted: threading.Event
     ) -> None:
         while self.drop and waiting.full():
             try:
@@ -94,14 +85,25 @@ class Threaded:
                 self.dropped += 1
             except queue.Empty:
                 break
-        _put(frame, waiting, unwanted)
+        _put(item, waiting, unwanted)
 
 
-def _put(
-    item: Frame | BaseException | None,
-    waiting: queue.Queue[Frame | BaseException | None],
-    unwanted: threading.Event,
-) -> None:
+class _End:
+    """After the last item, with the error that ended them."""
+
+    def __init__(self, error: Exception | None = None) -> None:
+        self.error = error
+
+
+def in_real_time(frames: Iterable[Frame]) -> Iterator[Frame]:
+    """Give frames no earlier than at their times, as a camera does."""
+    start = time.monotonic()
+    for frame in frames:
+        time.sleep(max(0.0, start + frame.time - time.monotonic()))
+        yield replace(frame, arrived=time.monotonic())
+
+
+def _put(item: Item | _End, waiting: queue.Queue[Item | _End], unwanted: threading.Event) -> None:
     while not unwanted.is_set():
         try:
             return waiting.put(item, timeout=_POLL)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from silpose.core.errors import InputError
 from silpose.silhouette.masks import MaskSequence
@@ -13,13 +13,14 @@ from silpose.silhouette.video.backgrounds import ADAPTIVE, Background, Shadows
 from silpose.silhouette.video.camera_motion import CameraMotion
 from silpose.silhouette.video.checks import check_background, check_numbers
 from silpose.silhouette.video.followed_person import FollowedPerson
+from silpose.silhouette.video.frame import Frame
 from silpose.silhouette.video.given_masks import GivenMasks, given_masks
 from silpose.silhouette.video.learnt_background import learn_background
 from silpose.silhouette.video.masked_frame import MaskedFrame
 from silpose.silhouette.video.neural_background import NeuralBackground
 from silpose.silhouette.video.open_source import open_source
 from silpose.silhouette.video.segmenter import Segmenter
-from silpose.silhouette.video.threaded import Threaded
+from silpose.silhouette.video.threaded import Threaded, in_real_time
 from silpose.silhouette.video.whole_clip import mask_sequence
 
 _LOOKED_AT = 8  # pictures by which masks are told from pictures of a scene
@@ -87,7 +88,7 @@ class VideoMasks:
 
     Notes
     -----
-    Iterating decodes in a thread and segments frame by frame; no more than a few frames, and the
+    Iterating decodes in one thread and segments in another; no more than a few frames, and the
     sample for the background, are in memory. Once begun, a camera cannot be iterated over again.
     """
 
@@ -151,17 +152,16 @@ class VideoMasks:
         return self.frames.is_live or self.real_time
 
     def __iter__(self) -> Iterator[MaskedFrame]:
-        """Decode and segment frame by frame."""
+        """Decode and segment frame by frame, each in a thread of its own."""
         segmenter = self._segmenter()
-        decoded = Threaded(self.frames, drop=self.is_live, real_time=self.real_time)
+        frames = in_real_time(self.frames) if self.real_time else self.frames
+        decoded = Threaded(frames, self.is_live)
+        masked = Threaded(self._segmented(decoded, segmenter), self.is_live, "segmenter")
         seen = False
-        for frame in decoded:
-            self.dropped = decoded.dropped
-            if self.last is not None and frame.index > self.last:
-                break
-            if frame.index >= self.first:
-                seen = True
-                yield segmenter.step(frame)
+        for frame in masked:
+            self.dropped = decoded.dropped + masked.dropped
+            seen = True
+            yield frame
         if not seen:
             raise InputError(
                 f"there is no frame {self.first} in {self.frames.name}: give an earlier one as "
@@ -188,6 +188,13 @@ class VideoMasks:
                 "give each mask to model.stream(…).step"
             )
         return mask_sequence(self, self.frames.name, self.frames_per_second)
+
+    def _segmented(self, decoded: Iterable[Frame], segmenter: Segmenter) -> Iterator[MaskedFrame]:
+        for frame in decoded:
+            if self.last is not None and frame.index > self.last:
+                break
+            if frame.index >= self.first:
+                yield segmenter.step(frame)
 
     def _segmenter(self) -> Segmenter:
         adapts = self.background in ADAPTIVE

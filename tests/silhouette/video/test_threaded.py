@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from silpose.silhouette.video.frame import Frame
-from silpose.silhouette.video.threaded import Threaded
+from silpose.silhouette.video.threaded import Threaded, in_real_time
 
 PICTURE = np.zeros((4, 4, 3), np.uint8)
 
@@ -49,7 +49,7 @@ def test_an_error_of_the_decoder_is_the_readers():
 
 
 def test_a_live_source_drops_frames_rather_than_falls_behind():
-    live = Threaded(frames(60), drop=True, real_time=True)
+    live = Threaded(in_real_time(frames(60)), drop=True)
     start, late, seen = time.monotonic(), [], []
     for frame in live:
         late.append(time.monotonic() - start - frame.time)
