@@ -90,7 +90,7 @@ COMPONENTS: dict[str, Component] = {
     "fitting": Component("silpose.fitting:FittingOptions"),
     "dataset": Component("silpose.app.compose:descriptor_cache"),
     "recording": Component(
-        "silpose.recording:RunFolder.start", ("experiment", "settings", "defaults")
+        "silpose.recording:RunFolder.start", ("experiment", "settings", "defaults", "rows")
     ),
 }
 """The component of a group, beside its alternatives if it has any.

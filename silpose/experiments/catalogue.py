@@ -88,12 +88,12 @@ CATALOGUE: Mapping[str, Entry] = {
         "pose kernel",
     ),
     "damping": Entry(
-        "How exactly must the tracker be tuned?",
+        "How far should the tracker follow its dynamics?",
         "errors of the tracker on unseen takes, by the linear term s",
         "linear term",
     ),
     "kernel_widths": Entry(
-        "How exactly must the tracker be tuned?",
+        "How exactly must the tracker's kernels be tuned?",
         "errors on unseen takes, at the best and the worst kernel widths",
         "tracker",
     ),

@@ -14,7 +14,7 @@ from silpose.core.types import Metrics
 from silpose.experiments.figures import NEUTRAL, SERIES, headline, legend_above
 from silpose.experiments.setup import Components, prepare_tracking, tidy
 from silpose.model import TrackerTraining
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import styled
 from silpose.tracking import Estimate, SinglePoseTracker
@@ -52,6 +52,12 @@ def damping(
         series={name: space.distance(take.x, of_takes[0]) for name, of_takes in tracks.items()},
         title=f"{in_words(space.metrics[0])} on the first test take",
         frames_per_second=take.frames_per_second,
+        colours={
+            name: palette.NEUTRAL
+            if name == FULL
+            else palette.graded(palette.METHODS["state_sensitive"], k, len(values))
+            for k, name in enumerate(linear)
+        },
     )
     headline = training.validation_error("state_sensitive")
     return Result(

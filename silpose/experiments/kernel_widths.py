@@ -17,7 +17,7 @@ from silpose.core.types import Array, Row
 from silpose.experiments.figures import headline, without_ink
 from silpose.experiments.setup import Components, prepare_tracking
 from silpose.model import TrackerTraining
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import styled
 from silpose.tracking import Estimate
@@ -66,8 +66,13 @@ def kernel_widths(
     record = partial(
         record_study,
         series=series,
-        title="error for several β_x",
+        title="error for several β_x, degrees; the narrower, the darker",
         frames_per_second=training.described.frames_per_second,
+        colours={
+            f"{method} {on_x:g}": palette.graded(palette.METHODS[method], k, len(factors))
+            for method in grids
+            for k, on_x in enumerate(sorted(factors))
+        },
     )
     headline = training.validation_error("tracker")
     return Result(

@@ -44,6 +44,8 @@ class Header:
         Where the recording goes; None writes the file alone.
     figure : Path or None, default=None
         PNG of the experiment's figure, for the recordings that show it.
+    rows : str, default="method"
+        What each row of the results is.
     """
 
     experiment: str
@@ -55,6 +57,7 @@ class Header:
     sinks: Sinks | None = None
     figure: Path | None = None
     defaults: str = ""
+    rows: str = "method"
 
     @property
     def name(self) -> str:
@@ -68,7 +71,7 @@ class Header:
 
     def texts(self) -> dict[str, str]:
         """Words, settings and headline results as markdown, by entity."""
-        results = [results_table(self.results)] if self.results else []
+        results = [results_table(self.results, self.rows)] if self.results else []
         texts = {
             entity_paths.TAKE: self.words,
             entity_paths.METRICS: "\n\n".join([self.words, *results]),
@@ -107,12 +110,13 @@ class Header:
         return {name: value for name, value in choices.items() if name != "recording"}
 
 
-def results_table(results: Results) -> str:
-    """Headlines as a markdown table, a row per method, the best first and in bold."""
+def results_table(results: Results, of: str = "method") -> str:
+    """Headlines as a markdown table, a row of each method or the like, the best first and bold."""
     from silpose.evaluation import best_first, headlines  # loads scikit-learn, which tools do not
 
     ordered, best = best_first(results)
-    titles, rows = headlines(ordered)
+    (_, *titles), rows = headlines(ordered)
+    titles = [of, *titles]
     if best is not None:
         rows[0] = [f"**{cell}**" if cell else "" for cell in rows[0]]
     ruler = ":--|" + "--:|" * (len(titles) - 1)

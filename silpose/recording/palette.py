@@ -116,6 +116,13 @@ def hue(k: int, count: int) -> Colour:
     return int(255 * red), int(255 * green), int(255 * blue)
 
 
+def graded(colour: Colour, k: int, count: int) -> Colour:
+    """Colour of the k-th of several values of one thing: from a light one to the colour itself."""
+    share = 0.6 * (1 - (k + 1) / count)
+    red, green, blue = (int(c + share * (255 - c)) for c in colour)
+    return red, green, blue
+
+
 def shade(colour: Colour, side: str) -> Colour:
     """Colour of a bone: light on the person's left, dark on the right, unchanged in the middle."""
     red, green, blue = colour

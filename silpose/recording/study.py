@@ -34,6 +34,7 @@ def record_study(
     title: str,
     frames_per_second: float,
     masks: Masks = (),
+    colours: Mapping[str, palette.Colour] | None = None,
 ) -> None:
     """Write a figure, and errors over time of whatever is compared.
 
@@ -48,6 +49,8 @@ def record_study(
     frames_per_second : float
     masks : sequence of ndarray, each (H, W), default=()
         Masks of the frames.
+    colours : mapping of str to colour, optional
+        Of the errors.
     """
     layout = study_layout(title if series else None, frames_per_second, bool(len(masks)))
     with recording_stream(header, layout) as recording:
@@ -57,7 +60,8 @@ def record_study(
             log_masks_alone(logger, masks)
         for k, (name, errors) in enumerate(series.items()):
             entity = entity_paths.below(entity_paths.ERROR, name)
-            logger.series(entity, errors, name, palette.one_of(k, len(series)), 1.5)
+            colour = (colours or {}).get(name) or palette.one_of(k, len(series))
+            logger.series(entity, errors, name, colour, 1.5)
 
 
 def record_bridges(header: Header, norms: Array, objective: Array) -> None:

@@ -33,6 +33,8 @@ class RunFolder:
         What the settings would be had nobody chosen any, as YAML.
     is_new : bool, default=False
         Whether the folder was made for this run, so that nothing else is in it.
+    rows : str, default="method"
+        What each row of the results is.
     """
 
     experiment: str
@@ -43,6 +45,7 @@ class RunFolder:
     keep_pictures: bool | None = None
     defaults: str = ""
     is_new: bool = False
+    rows: str = "method"
 
     @classmethod
     def start(
@@ -50,6 +53,7 @@ class RunFolder:
         experiment: str,
         settings: str = "",
         defaults: str = "",
+        rows: str = "method",
         *,
         root: str = "recordings",
         name: str | None = None,
@@ -68,6 +72,8 @@ class RunFolder:
             The run's settings as YAML.
         defaults : str, default=""
             What they would be had nobody chosen any, as YAML.
+        rows : str, default="method"
+            What each row of the results is.
         root : str, default="recordings"
             Runs go to ``<root>/<experiment>/<name>/``.
         name : str or None, default=None
@@ -108,7 +114,7 @@ class RunFolder:
                 f"cannot write to '{parent}' ({error.strerror}): choose another recording.root"
             ) from error
         own = folder.relative_to(above).as_posix()
-        return cls(experiment, own, folder, settings, opened, keep_pictures, defaults, is_new)
+        return cls(experiment, own, folder, settings, opened, keep_pictures, defaults, is_new, rows)
 
     def claimed(self) -> AbstractContextManager[None]:
         """Keep other runs out while the context lasts; an error if one is there."""
@@ -166,6 +172,7 @@ class RunFolder:
             self.sinks,
             figure,
             self.defaults,
+            self.rows,
         )
 
 
