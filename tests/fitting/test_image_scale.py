@@ -5,7 +5,7 @@ from silpose.core.pose_space import ANGLES as SPACE
 from silpose.fitting.contour import contour_of
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.image_scale import ImageScale
-from silpose.fitting.parameters import LOG_SCALE, ELEVATION, SHIFT_X, SHIFT_Y
+from silpose.fitting.parameters import ELEVATION, LOG_SCALE, SHIFT_X, SHIFT_Y
 from silpose.silhouette import Camera, render
 
 
