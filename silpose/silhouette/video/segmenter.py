@@ -6,6 +6,7 @@ import warnings
 
 import numpy as np
 
+from silpose.core.types import Mask
 from silpose.silhouette.video.backgrounds import Background
 from silpose.silhouette.video.camera_motion import CameraMotion
 from silpose.silhouette.video.clean_up import connected_to, fill_holes, morphology
@@ -83,7 +84,7 @@ class Segmenter:
         mask = fill_holes(mask, self.hole * float(mask.sum()))
         alone, facts = self.person.step(mask, frame.time)
         if self.motion is not None and self._steps % _LOOK_EVERY == 0:
-            self._look_at_motion(frame, self.motion)
+            self._look_at_motion(frame, mask, self.motion)
         if found.switched:
             self._switched = self._steps
         doubted = self._steps < self._switched + _DOUBTED
@@ -94,8 +95,8 @@ class Segmenter:
             frame.arrived,
         )  # fmt: skip
 
-    def _look_at_motion(self, frame: Frame, motion: CameraMotion) -> None:
-        self._moved = motion.step(frame.picture)
+    def _look_at_motion(self, frame: Frame, people: Mask, motion: CameraMotion) -> None:
+        self._moved = motion.step(frame.picture, people)
         if self._moved and not self._said_moved:
             self._said_moved = True
             warnings.warn(
