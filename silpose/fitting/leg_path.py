@@ -18,8 +18,7 @@ ALIKE_SECONDS = 0.03
 
 _UNTRIED = 30.0  # by how much more legs cost that were swapped, but not fitted again
 _LONGEST = 1.5  # steps up to this many times the prediction's own tell how legs move on
-_SWAPPED = np.eye(ANGLES)
-_SWAPPED[:, :] = legs_swapped(_SWAPPED).T
+_SWAPPED = legs_swapped(np.eye(ANGLES)).T
 
 
 def told_apart(
