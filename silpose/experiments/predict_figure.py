@@ -54,7 +54,7 @@ def prediction_figure(details: PredictionDetails, poses: Poses) -> Figure:
     headline(
         figure, f"Estimated poses of {poses.summary()}",
         "Left limbs are light, right limbs dark. Below a mask: the confidence in its pose; "
-        "one of a doubtful pose is marked (?)",
+        "one of a doubtful pose is marked (?). Ticks: the frames above",
     )  # fmt: skip
     return figure
 

@@ -13,10 +13,11 @@ from silpose.recording.layout import motion_layout
 from silpose.recording.stream import log_figure, recording_stream
 
 _RADIUS = 0.012  # of bones, metres
+_REACH = 0.9  # of limbs from the root, metres
 
 
 def record_motion(header: Header, x: Array, root: Array, frames_per_second: float) -> None:
-    """Write the poses of a take, where they are in the world, below the header's figure.
+    """Write the poses of a take, where they are in the world, before the header's figure.
 
     Parameters
     ----------
@@ -29,7 +30,8 @@ def record_motion(header: Header, x: Array, root: Array, frames_per_second: floa
     """
     root = root - root[0] * (1.0, 0.0, 1.0)
     truth = GroundTruth(x, root, np.zeros_like(root), None, {})
-    with recording_stream(header, motion_layout(frames_per_second)) as recording:
+    ends = root.min(axis=0) - _REACH, root.max(axis=0) + _REACH
+    with recording_stream(header, motion_layout(frames_per_second, *ends)) as recording:
         log_figure(recording, header)
         logger = FrameLogger(recording, len(x), frames_per_second)
         log_true_skeleton(logger, truth, ANGLES, _RADIUS)

@@ -8,7 +8,6 @@ import rerun.blueprint as rrb
 
 from silpose.recording import entity_paths
 from silpose.recording.layout.views import (
-    FROM_THE_SIDE,
     Window,
     bars_view,
     blueprint,
@@ -17,6 +16,7 @@ from silpose.recording.layout.views import (
     figure_view,
     histogram_view,
     mask_view,
+    of_the_box,
     series_view,
     texts_view,
 )
@@ -42,15 +42,17 @@ def study_layout(title: str | None, frames_per_second: float, masks: bool = Fals
     return blueprint([shown, texts_view()], [2.4, 1], frames_per_second)
 
 
-def motion_layout(frames_per_second: float) -> rrb.Blueprint:
-    """Lay out a figure, and a take as it moves."""
-    moving = rrb.Horizontal(
-        bodies_view(
-            "pose; left side light, right side dark", [entity_paths.TRUE_SKELETON], FROM_THE_SIDE
-        ),
+def motion_layout(
+    frames_per_second: float, low: Sequence[float], high: Sequence[float]
+) -> rrb.Blueprint:
+    """Lay out a take as it moves between two corners of its box, metres; behind it a figure."""
+    eye = of_the_box(low, high)
+    pose = bodies_view("pose; left side light, right side dark", [entity_paths.TRUE_SKELETON], eye)
+    shown = rrb.Vertical(
+        rrb.Tabs(pose, figure_view(), active_tab=0),
         series_view("heading, degrees", [entity_paths.TRUE_HEADING]),
+        row_shares=[2.4, 1],
     )
-    shown = rrb.Vertical(figure_view(), moving, row_shares=[1.6, 1])
     return blueprint([shown, texts_view()], [1.6, 1], frames_per_second)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
@@ -37,6 +38,19 @@ def from_the_front(away: float) -> rrb.EyeControls3D:
         kind=rrb.Eye3DKind.Orbital,
         position=[0.0, 1.2, away],
         look_target=[0.0, 0.95, 0.0],
+        eye_up=[0, 1, 0],
+    )
+
+
+def of_the_box(low: Sequence[float], high: Sequence[float]) -> rrb.EyeControls3D:
+    """Eye that sees all between two corners, metres, obliquely from its longer side."""
+    middle, size = (np.array(high) + low) / 2, np.array(high) - low
+    away = 0.5 + 0.55 * float(np.hypot(*size[[0, 2]])) + 0.5 * size[1]
+    side = (0.9, 0.3, 0.45) if size[2] > size[0] else (0.45, 0.3, 0.9)
+    return rrb.EyeControls3D(
+        kind=rrb.Eye3DKind.Orbital,
+        position=(middle + away * np.array(side)).tolist(),
+        look_target=middle.tolist(),
         eye_up=[0, 1, 0],
     )
 
