@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -22,6 +23,7 @@ from silpose.recording.header import Header
 from silpose.recording.layout import hide
 from silpose.recording.read import reader
 from silpose.recording.viewer.live import connect
+from silpose.recording.viewer.process import serving
 
 _SHOWN, _WRITTEN = 0.03, 10.0  # seconds for which rows are gathered live
 _STILL = 10.0  # seconds without a byte after which a file counts as given up
@@ -81,6 +83,8 @@ def live_stream(header: Header, layout: rrb.Blueprint) -> Iterator[FanOut]:
         if viewers:
             shown.set_sinks(*viewers, default_blueprint=layout)
             send_header(shown, header)
+            for page in serving():  # which is of use now; at the end it is said again
+                print(f"Watch it:  {page}   (Ctrl-C ends the run)", file=sys.stderr, flush=True)
         try:
             yield FanOut([written, shown] if viewers else [written])
             delivered = not viewers or _delivered(shown)

@@ -129,7 +129,7 @@ def test_no_program(head, tmp_path, monkeypatch):
     assert_complete(tmp_path / "run.rrd")
 
 
-def test_a_page_in_the_browser_lives_as_long_as_the_process(head, port, tmp_path):
+def test_a_page_in_the_browser_lives_as_long_as_the_process(head, port, tmp_path, capsys):
     record(head("web"))
     try:
         assert program.serving() == [
@@ -137,6 +137,8 @@ def test_a_page_in_the_browser_lives_as_long_as_the_process(head, port, tmp_path
         ]
         record(head("web"))  # the next run of a sweep shows up there, too
         assert len(program.serving()) == 1
+        with live_stream(head("web"), study_layout("error", 15.0)):  # whose page is wanted now
+            assert program.serving()[0] in capsys.readouterr().err
     finally:
         program.stop()
     assert not program.serving()
