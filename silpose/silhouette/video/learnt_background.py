@@ -28,8 +28,19 @@ _SWITCHED = 0.15  # mean log of a gain from which a light was switched
 _GREY = 6  # levels by which the colours of a grey picture differ at most, compressed
 
 
+def sample_of(frames: Frames, samples: int) -> list[Picture]:
+    """Decode so many pictures evenly over a source, of one size; none of a live one."""
+    pictures = [frame.picture for frame in frames.sample(samples)]
+    return [picture for picture in pictures if picture.shape == pictures[0].shape]
+
+
 def learn_background(
-    kind: str, frames: Frames, samples: int, history: int, threshold: float, shadows: Shadows | None
+    kind: str,
+    frames: Frames,
+    pictures: list[Picture],
+    history: int,
+    threshold: float,
+    shadows: Shadows | None,
 ) -> Background:
     """Learn a background from a source, or read it.
 
@@ -38,8 +49,8 @@ def learn_background(
     kind : str
         median, one of `ADAPTIVE`, or the path of a picture of the empty scene.
     frames : Frames
-    samples : int
-        Frames from which it is learnt beforehand, unless the source is live.
+    pictures : list of ndarray of uint8, each (H, W, 3)
+        A sample of them, of `sample_of`, from which it is learnt beforehand.
     history : int
         Frames over which an adaptive one learns and forgets.
     threshold : float
@@ -58,11 +69,9 @@ def learn_background(
         If the pictures are grey, so that there is no shadow rule.
     """
     if kind in ADAPTIVE:
-        first = [] if frames.is_live else _sample(frames, samples)
-        return AdaptiveBackground(kind, threshold, shadows, history, first)
+        return AdaptiveBackground(kind, threshold, shadows, history, pictures)
     noise: Mask | None = None
     if kind == "median":
-        pictures = _sample(frames, samples)
         if len(pictures) < _FEWEST:
             raise InputError(
                 f"{frames.name} has fewer than {_FEWEST} frames, too few for a median: give a "
@@ -80,11 +89,6 @@ def learn_background(
             stacklevel=4,
         )
     return FixedBackground(picture, threshold, shadows, noise)
-
-
-def _sample(frames: Frames, samples: int) -> list[Picture]:
-    pictures = [frame.picture for frame in frames.sample(samples)]
-    return [picture for picture in pictures if picture.shape == pictures[0].shape]
 
 
 def _in_one_light(pictures: list[Picture]) -> list[Picture]:

@@ -13,9 +13,9 @@ from silpose.silhouette.video.backgrounds import ADAPTIVE, Background, Shadows
 from silpose.silhouette.video.camera_motion import CameraMotion
 from silpose.silhouette.video.checks import check_background, check_numbers
 from silpose.silhouette.video.followed_person import FollowedPerson
-from silpose.silhouette.video.frame import Frame
+from silpose.silhouette.video.frame import Frame, Picture
 from silpose.silhouette.video.given_masks import GivenMasks, given_masks
-from silpose.silhouette.video.learnt_background import learn_background
+from silpose.silhouette.video.learnt_background import learn_background, sample_of
 from silpose.silhouette.video.masked_frame import MaskedFrame
 from silpose.silhouette.video.neural_background import NeuralBackground
 from silpose.silhouette.video.open_source import open_source
@@ -199,10 +199,12 @@ class VideoMasks:
     def _segmenter(self) -> Segmenter:
         adapts = self.background in ADAPTIVE
         unlearnt = adapts and self.frames.is_live
-        given = self._given()
+        learns = self.background in (*ADAPTIVE, "median") and not self.frames.is_live
+        pictures = sample_of(self.frames, self.samples) if learns else []
+        given = self._given(pictures)
         rests = CameraMotion(self.camera_shift, renew=20 if adapts else None)
         return Segmenter(
-            given or self._background(),
+            given or self._background(pictures),
             None if given or self.background == "selfie" else rests,
             FollowedPerson(self.person),
             opening=0 if given else self.opening,
@@ -213,12 +215,11 @@ class VideoMasks:
             source=self.frames.name,
         )
 
-    def _given(self) -> GivenMasks | None:
+    def _given(self, sample: list[Picture]) -> GivenMasks | None:
         """Whether the pictures are masks already, where no background was chosen."""
         if self._chosen or self.frames.is_live:
             return None
-        pictures = [frame.picture for frame in self.frames.sample(_LOOKED_AT)]
-        given = given_masks(pictures)
+        given = given_masks(sample[:: -(-len(sample) // _LOOKED_AT) or 1])
         if given is not None:
             warnings.warn(
                 f"the pictures of {self.frames.name} are masks already, and taken as they are: if "
@@ -228,10 +229,10 @@ class VideoMasks:
             )
         return given
 
-    def _background(self) -> Background:
+    def _background(self, sample: list[Picture]) -> Background:
         if self.background == "selfie":
             return NeuralBackground(self.environment)
         shadows = Shadows(self.shadow_darkest, self.shadow_chroma) if self.shadows else None
         return learn_background(
-            self.background, self.frames, self.samples, self.history, self.threshold, shadows
+            self.background, self.frames, sample, self.history, self.threshold, shadows
         )

@@ -6,11 +6,13 @@ from video_films import overlap, wall, write_film
 from silpose.core.errors import InputError
 from silpose.silhouette.video import VideoMasks, open_source
 from silpose.silhouette.video.backgrounds import Shadows
-from silpose.silhouette.video.learnt_background import learn_background
+from silpose.silhouette.video.learnt_background import learn_background, sample_of
 
 
 def learn(film, kind="median", samples=40):
-    return learn_background(kind, open_source(film), samples, 500, 20, Shadows(0.6, 0.04))
+    frames = open_source(film)
+    sample = sample_of(frames, samples)
+    return learn_background(kind, frames, sample, 500, 20, Shadows(0.6, 0.04))
 
 
 def test_a_median_of_a_sample_is_the_scene(film):
