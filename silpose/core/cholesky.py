@@ -25,6 +25,7 @@ def _lapack(name: str, arguments: int) -> Any:
 
 _dpotrf = _lapack("dpotrf", 5)
 _dpotrs = _lapack("dpotrs", 8)
+_dpotri = _lapack("dpotri", 5)
 
 
 class NotPositiveDefinite(np.linalg.LinAlgError):
@@ -83,8 +84,29 @@ def cholesky_solve(factor: Array, target: Array) -> Array:
 
 
 def cholesky_inverse(matrix: Array) -> Array:
-    """Invert a symmetric positive definite matrix, shape (n, n), in LAPACK's memory order."""
-    return cholesky_solve(cholesky_in_place(np.array(matrix, order="C")), np.eye(len(matrix)))
+    """Invert a symmetric positive definite matrix.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (n, n)
+
+    Returns
+    -------
+    inverse : ndarray, shape (n, n)
+        Symmetric to the last digit, in LAPACK's memory order.
+
+    Raises
+    ------
+    NotPositiveDefinite
+        If it has no Cholesky factor.
+    """
+    half = cholesky_in_place(np.array(matrix, dtype=np.float64, order="C"))
+    n, info = ctypes.c_int(len(half)), ctypes.c_int()
+    if len(half):
+        _dpotri(b"L", _at(n), half.ctypes.data, _at(n), _at(info))
+    inverse = np.triu(half)
+    inverse += np.triu(half, 1).T
+    return np.asfortranarray(inverse.T)
 
 
 def _at(number: ctypes.c_int) -> Any:

@@ -25,7 +25,7 @@ from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array, Examples, Indices
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.scales import scales_of
-from silpose.regression.sparse import Bridges, sparsest_within
+from silpose.regression.sparse import FirstBridges, sparsest_within
 from silpose.tracking.checks import checked_takes
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_poses import squared_distances
@@ -149,8 +149,8 @@ class StateSensitiveRegressor(BaseEstimator):
         if self.keep_at_most is None:
             return np.arange(size)
         count = max(1, int(self.keep_at_most * size))
-        start = Bridges.start(system)
-        return np.sort(sparsest_within(system, count, _FIRST_NU, start, 200, 1e-2)[1].kept)
+        first = FirstBridges(system)
+        return np.sort(sparsest_within(first, count, _FIRST_NU, 200, 1e-2)[1].kept)
 
     def predict(self, predicted: ArrayLike, z: ArrayLike) -> Array:
         """Estimate poses (n, D) from predictions (n, D) and descriptors (n, d)."""

@@ -11,6 +11,7 @@ from silpose.regression.examples import ArrayExamples
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.ridge import RidgeRegressor
 from silpose.regression.selection.candidates import Candidates
+from silpose.regression.sparse.first_bridges import FirstBridges
 from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
 from silpose.regression.sparse.rvm import RelevanceVectorRegressor
 from silpose.regression.svm import SupportVectorRegressor
@@ -33,18 +34,25 @@ class TrainingSet:
         self._z = z
         self._x = x
         self._systems: dict[tuple[Any, ...], tuple[Basis, NormalEquations]] = {}
+        self._first: dict[tuple[Any, ...], FirstBridges] = {}
 
     def system(self, setting: Settings) -> tuple[Basis, NormalEquations]:
         """Return the fitted basis and its normal equations."""
-        key = tuple(self._split(setting)[0].values())
+        key = self._key(setting)
         if key not in self._systems:
             basis = self._basis(setting).fit(self._z)
             self._systems[key] = basis, NormalEquations.of(basis.evaluate(self._z), self._x)
         return self._systems[key]
 
+    def first(self, setting: Settings) -> FirstBridges:
+        """Return what all RVMs with the same basis begin with."""
+        _, system = self.system(setting)
+        return self._first.setdefault(self._key(setting), FirstBridges(system))  # in one step
+
     def forget(self) -> None:
         """Free the kernel matrices."""
         self._systems.clear()
+        self._first.clear()
 
     def ridge(
         self, settings: Sequence[Settings], candidates: Candidates[RidgeRegressor]
@@ -68,12 +76,13 @@ class TrainingSet:
             basis, system = self.system(setting)
             regressor = self._create(candidates, setting)
             if regressor.keep_at_most is not None or regressor.prior != "column":
-                regressor.fit_system(basis, system)  # no path leads there
+                regressor.fit_from(basis, self.first(setting))  # no path leads there
             else:
+                parameters = regressor.first_nu, regressor.max_iter, regressor.tol
                 if end is None or {**before, "nu": None} != {**setting, "nu": None}:
-                    end = Bridges.start(system)
-                limits = regressor.max_iter, regressor.tol
-                end = minimise_with_bridges(system, end, regressor.first_nu, *limits)
+                    end = self.first(setting).end(*parameters)
+                else:
+                    end = minimise_with_bridges(system, end, *parameters)
                 regressor.use_fitted(basis, system, regressor.first_nu, end)
             before = setting
             yield regressor
@@ -86,6 +95,9 @@ class TrainingSet:
             regressor = self._create(candidates, setting)
             regressor.fit_basis(self._basis(setting).fit(self._z), ArrayExamples(self._z, self._x))
             yield regressor
+
+    def _key(self, setting: Settings) -> tuple[Any, ...]:
+        return tuple(self._split(setting)[0].values())
 
     def _split(self, setting: Settings) -> tuple[Settings, Settings]:
         """Split settings into those of the basis and those of the regressor."""

@@ -23,6 +23,7 @@ from silpose.regression.examples import TrainingExamples
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.regressor import Regressor
 from silpose.regression.sparse.elimination import sparsest_within
+from silpose.regression.sparse.first_bridges import FirstBridges
 from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
 
 _USUAL = 8.0  # ν where no examples are at hand to choose by
@@ -97,8 +98,19 @@ class RelevanceVectorRegressor(Regressor):
 
     def fit_system(self, basis: Basis, system: NormalEquations) -> None:
         """Minimise Eq. 5 for normal equations that are known already."""
+        self.fit_from(basis, FirstBridges(system))
+
+    def fit_from(self, basis: Basis, first: FirstBridges) -> None:
+        """Minimise Eq. 5 by continuations that other RVMs of the same problem may have begun.
+
+        Parameters
+        ----------
+        basis : Basis
+            Fitted.
+        first : FirstBridges
+        """
         check_parameters(self)
-        self._minimise(basis, system, self.first_nu)
+        self._minimise(basis, first, self.first_nu)
 
     @property
     def first_nu(self) -> float:
@@ -112,19 +124,20 @@ class RelevanceVectorRegressor(Regressor):
         chosen = examples.choose(basis)
         fitted = examples.fit(chosen.basis)
         nu = max(_SHARE * float(chosen.noise.sum()), _LEAST)
-        self._minimise(fitted, examples.equations(fitted), nu)
+        self._minimise(fitted, FirstBridges(examples.equations(fitted)), nu)
 
-    def _minimise(self, basis: Basis, system: NormalEquations, nu: float) -> None:
-        start = Bridges.start(system)
+    def _minimise(self, basis: Basis, first: FirstBridges, nu: float) -> None:
+        limits = self.max_iter, self.tol
         if self.keep_at_most is not None:
             if self.prior != "column":
                 raise InputError("keep_at_most needs prior='column': one set of relevance vectors")
             count = max(1, int(self.keep_at_most * basis.size_))
-            found = sparsest_within(system, count, nu, start, self.max_iter, self.tol)
-            self.use_fitted(basis, system, *found)
+            found = sparsest_within(first, count, nu, *limits)
+            self.use_fitted(basis, first.system, *found)
             return
-        fit = self._columns if self.prior == "column" else self._components
-        self.use_fitted(basis, system, nu, fit(system, start, nu))
+        by_column = self.prior == "column"
+        end = first.end(nu, *limits) if by_column else self._components(first, nu)
+        self.use_fitted(basis, first.system, nu, end)
         if not len(self.relevance_):
             warnings.warn(
                 f"nu={nu:.3g} removes all basis functions: the mean is predicted",
@@ -132,11 +145,9 @@ class RelevanceVectorRegressor(Regressor):
                 stacklevel=3,
             )
 
-    def _columns(self, system: NormalEquations, start: Bridges, nu: float) -> Bridges:
-        return minimise_with_bridges(system, start, nu, self.max_iter, self.tol)
-
-    def _components(self, system: NormalEquations, start: Bridges, nu: float) -> Bridges:
+    def _components(self, first: FirstBridges, nu: float) -> Bridges:
         """Minimise for each output, and unite the columns that any of them keeps."""
+        system, start = first.system, first.start
         size, outputs = start.a.shape
         a, damping = np.zeros((size, outputs)), np.full((size, outputs), np.inf)
         steps: list[tuple[int, float]] = []

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose.regression.normal_equations import NormalEquations
-from silpose.regression.sparse import Bridges, eliminate, sparsest_within
+from silpose.regression.sparse import FirstBridges, eliminate, sparsest_within
 
 
 def test_elimination_removes_what_is_missed_least():
@@ -38,7 +38,17 @@ def test_the_target_is_reached_from_any_first_nu(nu):
     rng = np.random.default_rng(3)
     features = rng.normal(size=(120, 40))
     system = NormalEquations.of(features, features @ rng.normal(size=(40, 2)))
-    _, end = sparsest_within(system, 7, nu, Bridges.start(system), 200, 1e-2)
+    _, end = sparsest_within(FirstBridges(system), 7, nu, 200, 1e-2)
     assert len(end.kept) == 7
     ridge = system.restrict(end.kept).solve(end.damping)
     np.testing.assert_allclose(end.a, ridge)
+
+
+def test_many_removals_are_those_of_one_at_a_time():
+    rng = np.random.default_rng(4)
+    features = rng.normal(size=(300, 150)) @ rng.normal(size=(150, 150))
+    system = NormalEquations.of(features, features @ rng.normal(size=(150, 4)))
+    expected = np.arange(150)
+    while len(expected) > 20:
+        expected = eliminate(system, expected, len(expected) - 1)  # inverts anew each time
+    assert eliminate(system, np.arange(150), 20).tolist() == expected.tolist()
