@@ -17,6 +17,7 @@ from silpose.core.csv_text import csv_text
 from silpose.evaluation.gait import MOVES, PERCENT, GaitReport
 from silpose.recording import palette
 from silpose.recording.figure_style import DIM, INK, styled
+from silpose.recording.page_style import PAGE_HEAD, PAGE_STYLE
 
 TITLES = (
     "name", "side", "percent", "value", "deviation", "unit", "strides", "confidence", "frames",
@@ -24,19 +25,14 @@ TITLES = (
 )  # fmt: skip
 
 _SIDES = {side: palette.hexed(palette.shade(palette.ESTIMATED, side)) for side in ("left", "right")}
-_STYLE = """
-:root { color-scheme: light dark; --dim: #666; --line: #ccc; }
-@media (prefers-color-scheme: dark) { :root { --dim: #999; --line: #444; } }
-body { font: 15px system-ui, sans-serif; margin: 2em auto; max-width: 62em; padding: 0 1em;
-       color: #222; background: #fff; }
-@media (prefers-color-scheme: dark) { body { color: #ddd; background: #16181c; } }
-table { border-collapse: collapse; width: 100%; }
-th { font-weight: normal; color: var(--dim); }
-th, td { text-align: right; padding: .3em .6em; font-variant-numeric: tabular-nums; }
-td { border-top: 1px solid var(--line); }
+_STYLE = (
+    PAGE_STYLE
+    + """
+body { max-width: 62em; } svg { width: 100%; height: auto; }
 th:first-child, td:first-child { text-align: left; }
-.dim { color: var(--dim); } svg { width: 100%; height: auto; }
+@media (max-width: 600px) { th, td { padding: .3em; } }
 """
+)
 
 
 def gait_rows(report: GaitReport) -> list[tuple[object, ...]]:
@@ -85,8 +81,8 @@ def gait_page(report: GaitReport, title: str = "Gait") -> str:
     way = {"none": "No steps", "forward": "Walks forward", "backward": "Walks backward"}
     notes = "".join(f"<li>{escape(note)}</li>" for note in report.notes)
     return (
-        f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>'
-        f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style>'
+        f'<!doctype html><html lang="en">{PAGE_HEAD}<title>{escape(title)}</title>'
+        f"<style>{_STYLE}</style>"
         f"<h1>{escape(title)}</h1><p>{way[report.direction]}: {counted} strides.</p>"
         f"<ul>{notes}</ul>{_table(report)}{_svg(_figure(report))}"
         '<p class="dim">Mean and standard deviation over the strides. Symmetry is the difference '
