@@ -17,6 +17,7 @@ from silpose.core.atomic_files import writing
 from silpose.core.csv_text import csv_text
 from silpose.evaluation.headlines import HEADLINES
 from silpose.recording.named_settings import typed
+from silpose.recording.runs.sweep_folder import FIGURE
 
 _COMPARED = 4  # runs that one view has room for
 
@@ -40,7 +41,7 @@ def report(plan: SweepPlan) -> Done:
         with writing(folder / "sweep.csv") as path:
             path.write_text(csv_text(_rows(found)), encoding="utf-8", newline="")
         if figure := sweep_figure(ready, f"{folder.parent.name}: {folder.name}"):
-            with writing(folder / "sweep.png") as path:
+            with writing(folder / FIGURE) as path:
                 figure.savefig(path, format="png", dpi=120)
     return Done(finished, failed)
 
@@ -71,7 +72,7 @@ def _print(folder: Path, found: Sequence[Outcome]) -> None:
     if recorded:
         line = f"All of them:   silpose catalog {shorten_path(folder)}"
         console.print(line, highlight=False, soft_wrap=True)
-    names = "sweep.csv, sweep.png" if any(e.run and e.run.headline for e in ready) else "sweep.csv"
+    names = f"sweep.csv, {FIGURE}" if any(e.run and e.run.headline for e in ready) else "sweep.csv"
     line = f"[dim]in {shorten_path(folder)}: {names}[/dim]"
     console.print(line, highlight=False, soft_wrap=True)
 

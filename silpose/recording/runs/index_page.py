@@ -14,12 +14,14 @@ from silpose.recording.page_style import PAGE_HEAD, PAGE_STYLE
 from silpose.recording.runs.finished_run import FinishedRun
 from silpose.recording.runs.runs_below import find_runs
 from silpose.recording.runs.setting_differences import differing, parsed
+from silpose.recording.runs.sweep_folder import FIGURE, SWEEP
 
 _STYLE = (
     PAGE_STYLE
     + """
 h2 { margin: 2.5em 0 0; } h2 + p { margin: .2em 0 1em; color: var(--dim); }
 td { vertical-align: top; white-space: nowrap; } .word { text-align: left; white-space: normal; }
+.sweep button img { width: 18em; }
 .set { font-size: 13px; overflow-wrap: anywhere; min-width: 9em; }
 button { padding: 0; border: 0; background: none; cursor: zoom-in; display: block; }
 button img { width: 9em; height: auto; border-radius: 4px; display: block; }
@@ -66,7 +68,8 @@ def index_page(
     for name in sorted({run.experiment for run in finished}):
         own = [run for run in finished if run.experiment == name]
         asked = f"<p>{escape((questions or {}).get(name, ''))}</p>"
-        sections.append(f"<h2>{escape(name)}</h2>{asked}{_table(own, root, viewed, figures)}")
+        shown = _sweeps(own, root, figures) + _table(own, root, viewed, figures)
+        sections.append(f"<h2>{escape(name)}</h2>{asked}{shown}")
     sections += [
         f'<p class="dim">{escape(str(folder.relative_to(root)))} was not finished</p>'
         for folder in others
@@ -93,7 +96,7 @@ def _table(
     )
     by_name = {row[0]: row[1:] for row in values}
     settings = differing([parsed(run.config) for run in runs])
-    words = ["figure", "run", "data", "differs in", "method"]
+    words = ["figure", "run", "data", "differs in", "shown"]
     if not settings[0]:
         words.remove("differs in")
     head = "".join(f'<th class="word">{word}</th>' for word in words)
@@ -106,7 +109,7 @@ def _table(
             "run": _link(run, root, viewed),
             "data": escape(run.dataset),
             "differs in": _in_words(settings[k]),
-            "method": _above(methods),
+            "shown": _above(methods),
         }
         row = "".join(_cell(word, cells[word], _CLASSES.get(word, "word")) for word in words)
         numbers = zip(*(by_name[f"{k} {method}"] for method in methods), strict=True)
@@ -144,20 +147,39 @@ def _in_words(settings: Mapping[str, object]) -> str:
 
 
 def _figure(run: FinishedRun, root: Path, name: str) -> str:
-    """Write a small figure that becomes large on a click."""
+    """Write the small figure of a run."""
     file = run.folder / f"{run.experiment}.png"
-    if not file.is_file():
-        return ""
-    words = f"figure of {escape(run.folder.name)}"
-    picture = f'<img loading="lazy" src="{_below(root, file)}" alt="{words}">'
+    return _enlarged(file, root, name, f"figure of {run.folder.name}") if file.is_file() else ""
+
+
+def _sweeps(runs: Sequence[FinishedRun], root: Path, names: Iterator[str]) -> str:
+    """Write the figures of the sweeps that the runs belong to, each under its name."""
+    figures = dict.fromkeys(run.folder.parent / FIGURE for run in runs)
+    return "".join(
+        f'<div class="sweep">Sweep {escape(file.parent.name)}'
+        f"{_enlarged(file, root, next(names), f'figure of the sweep {file.parent.name}')}</div>"
+        for file in figures
+        if file.is_relative_to(root) and file.is_file()
+    )
+
+
+def _enlarged(file: Path, root: Path, name: str, words: str) -> str:
+    """Write a small picture that becomes large on a click."""
+    picture = f'<img loading="lazy" src="{_below(root, file)}" alt="{escape(words)}">'
     return (
         f'<button popovertarget="{name}">{picture}</button>'
         f'<div popover id="{name}"><button popovertarget="{name}">{picture}</button></div>'
     )
 
 
+def _name(run: FinishedRun) -> str:
+    """Name of a run; in a sweep below the sweep's."""
+    above = run.folder.parent
+    return f"{above.name}/{run.folder.name}" if (above / SWEEP).is_file() else run.folder.name
+
+
 def _link(run: FinishedRun, root: Path, viewed: Callable[[str], str]) -> str:
-    name = escape(run.folder.name)
+    name = escape(_name(run))
     if not run.recording.is_file():
         return name
     return f'<a href="{escape(viewed(_below(root, run.recording)))}">{name}</a>'

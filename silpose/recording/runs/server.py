@@ -91,20 +91,24 @@ class _Files(SimpleHTTPRequestHandler):
         super().__init__(*given, directory=str(root))
 
     def do_GET(self) -> None:
-        """Send the page or a file, but only to who asks for this machine by its own name."""
-        here = self._address()
+        """Send the page or a file, a reader who follows a link to a recording to the viewer.
+
+        Only those are answered who ask for this machine by its own name.
+        """
         if not self._is_asked_from_here():
             self.send_error(403)
         elif self.path != "/" and self._is_hidden():
             self.send_error(404)
+        elif self.path.endswith(".rrd") and self.headers.get("Sec-Fetch-Dest") == "document":
+            # a link was followed, from the report of the paper; the viewer itself fetches "empty"
+            self.send_response(302)
+            self.send_header("Location", self._viewed(self.path.lstrip("/")))
+            self.send_header("Content-Length", "0")
+            self.end_headers()
         elif self.path != "/":
             super().do_GET()
         else:
-            content = index_page(
-                self._root,
-                lambda path: viewing(self._origin, f"http://{here}/{path}"),
-                self._questions,
-            ).encode()
+            content = index_page(self._root, self._viewed, self._questions).encode()
             self.send_response(200)
             self.send_header("Content-Type", "text/html; charset=utf-8")
             self.send_header("Content-Length", str(len(content)))
@@ -124,6 +128,10 @@ class _Files(SimpleHTTPRequestHandler):
         """Whether a file is none that the page links to, but of the system's or half written."""
         inside = Path(self.translate_path(self.path)).relative_to(self._root).parts
         return any(part.startswith(".") for part in inside)
+
+    def _viewed(self, path: str) -> str:
+        """Address of the viewer with a recording."""
+        return viewing(self._origin, f"http://{self._address()}/{path}")
 
     def _address(self) -> str:
         return f"{HOST}:{self.connection.getsockname()[1]}"

@@ -14,6 +14,9 @@ from silpose.core.errors import InputError
 SWEEP = "sweep.yaml"
 """File that makes a folder that of a sweep."""
 
+FIGURE = "sweep.png"
+"""File of a sweep with the picture of what its runs found."""
+
 FAILURE = "failed.txt"
 """File of a run that failed: the reason in its first line, then where it comes from."""
 

@@ -46,6 +46,19 @@ def test_only_a_run_with_a_recording_is_a_link(root):
     assert page.count("view:") == 1
 
 
+def test_runs_of_a_sweep_have_its_name_and_figure(root):
+    sweep = root / "single_image" / "widths"
+    shutil.copytree(root / "single_image" / "whole", sweep / "000")
+    (sweep / "sweep.yaml").write_text("{}")
+    page = index_page(root, str)
+    assert ">widths/000<" in page and "Sweep" not in page
+    (sweep / "sweep.png").write_bytes((sweep / "000" / "single_image.png").read_bytes())
+    page = index_page(root, str)
+    assert page.count("Sweep widths") == 1
+    assert 'src="single_image/widths/sweep.png"' in page
+    assert "Sweep" not in index_page(sweep / "000", str)
+
+
 def test_names_are_escaped(root):
     page = index_page(root, str)
     assert "&lt;bare&gt;" in page

@@ -54,6 +54,18 @@ def test_a_run_is_drawn_in_the_browser(address, tmp_path):
         wait_for(bodies_are_drawn)
 
 
+def test_a_link_to_a_recording_leads_to_the_viewer_which_gets_the_file(address):
+    asked = HTTPConnection(address.removeprefix("http://"))
+    for kind, status in (("document", 302), ("empty", 200)):
+        asked.request("GET", "/single_image/whole/run.rrd", headers={"Sec-Fetch-Dest": kind})
+        answer = asked.getresponse()
+        answer.read()
+        assert answer.status == status
+        if kind == "document":
+            (link,) = re.findall(r'href="([^"]+run\.rrd)"', read(address).decode())
+            assert answer.headers["Location"] == unescape(link)
+
+
 def test_only_this_machine_is_answered(address):
     ours = int(address.rpartition(":")[2])
     (theirs,) = set(re.findall(r"http://127.0.0.1:(\d+)/\?url", read(address).decode()))
