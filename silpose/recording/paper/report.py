@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from silpose.core.atomic_files import writing
 from silpose.evaluation import BASELINES
@@ -17,7 +19,8 @@ from silpose.recording.paper.found import Found
 
 _SECTIONS = {
     "Abstract, I": "Introduction", "II-A": "Silhouettes and shape contexts",
-    "II-B": "Poses and data", "III-B": "Relevance vector regression", "III-C": "Kernels",
+    "II-B": "Poses and data", "III-A": "Ridge regression",
+    "III-B": "Relevance vector regression", "III-C": "Kernels",
     "IV-A": "Which silhouette points matter", "IV-B": "Pose from one silhouette",
     "V, note 4": "Several silhouettes", "V-A": "Dynamics in the regressor", "V-B": "Tracking",
     "VI": "Several poses", "beyond": "Beyond the paper",
@@ -51,7 +54,7 @@ class PaperReport:
     def sections(self) -> list[tuple[str, list[dict[str, object]]]]:
         """Titles, each with its claims in words."""
         return [
-            (f"{section}: {_SECTIONS[section]}", [self._words(claim) for claim in claims])
+            (f"{section}: {_SECTIONS[section]}", _told_once([self._words(c) for c in claims]))
             for section, claims in groupby(CLAIMS, key=lambda claim: claim.section)
         ]
 
@@ -107,6 +110,7 @@ def write_paper(report: PaperReport) -> tuple[Path, Path]:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    templates.filters["with_code"] = _with_code
     templates.filters["embedded"] = _embedded
     templates.filters["below"] = lambda path: path.relative_to(report.folder).as_posix()
     written = []
@@ -122,6 +126,22 @@ def _draws(claim: Claim) -> bool:
     """Whether a claim shows its experiment's figure: the first about one, else the first."""
     same = [each for each in CLAIMS if each.experiment == claim.experiment]
     return claim is next((each for each in same if each.item.startswith("Fig")), same[0])
+
+
+def _told_once(claims: list[dict[str, object]]) -> list[dict[str, object]]:
+    """Keep the baselines of an experiment at the first of a section's claims that has them."""
+    told = set()
+    for words in claims:
+        if words["baselines"] and words["experiment"] in told:
+            words["baselines"] = ""
+        elif words["baselines"]:
+            told.add(words["experiment"])
+    return claims
+
+
+def _with_code(text: str) -> Markup:
+    """Escape a sentence for HTML, and set what stands between backticks as code."""
+    return Markup(re.sub(r"`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
 def _any(own: Mapping[str, Found]) -> Found | None:

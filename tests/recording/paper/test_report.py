@@ -1,5 +1,6 @@
 import re
 
+from silpose.evaluation import BASELINES
 from silpose.recording.paper import CLAIMS, Found, PaperReport, write_paper
 
 ERRORS = {"mean_angular_error_deg": 3.0}
@@ -36,10 +37,26 @@ def test_the_page_needs_nothing_else(finished_run, tmp_path):
 
 def test_a_failure_is_said_where_its_claims_are(tmp_path):
     page, _ = write_paper(report_of(tmp_path, failed={"walkers/bridges": "no space left"}.items()))
-    assert page.read_text().count("It failed: no space left") == 1
+    told = sum(claim.experiment == "bridges" for claim in CLAIMS)
+    assert page.read_text().count("It failed: no space left") == told
 
 
 def test_values_that_the_data_do_not_give_leave_the_claim_without_a_number(finished_run, tmp_path):
     run = finished_run("regressors", {"ridge kernel": ERRORS})
     report = report_of(tmp_path, run)
     assert report.counts()["not run"] == sum(1 for c in CLAIMS if c.experiment)
+
+
+def test_commands_in_sentences_are_code_in_the_page(tmp_path):
+    html, markdown = (path.read_text() for path in write_paper(report_of(tmp_path)))
+    assert "<code>silpose experiment=bridges</code> has not run" in html
+    assert "`silpose experiment=bridges` has not run" in markdown
+
+
+def test_baselines_are_told_once_in_a_section(finished_run, tmp_path):
+    errors = {name: ERRORS for name in ("ridge kernel", "ridge linear", *BASELINES)}
+    run = finished_run("regressors", errors)
+    for title, claims in report_of(tmp_path, run).sections():
+        own = [claim for claim in claims if claim["experiment"] == "regressors"]
+        assert sum(bool(claim["baselines"]) for claim in own) <= 1, title
+        assert not title.startswith("III-A") or any(claim["baselines"] for claim in own)
