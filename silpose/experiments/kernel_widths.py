@@ -134,8 +134,8 @@ def _figure(factors: Sequence[float], grids: Mapping[str, Array], unit: str) -> 
         without_ink(axes)
         axes.set_xticks(range(len(ticks)), ticks)
         axes.set_yticks(range(len(ticks)), ticks)
-        axes.set(xlabel="factor of β_z, of the descriptor", title=in_words(method))
-    panels[0].set_ylabel("factor of β_x, of the pose")
+        axes.set(xlabel=r"factor of $\beta_z$, of the descriptor", title=in_words(method))
+    panels[0].set_ylabel(r"factor of $\beta_x$, of the pose")
     figure.colorbar(picture, ax=panels, label=unit, extend="max", shrink=0.8)
     headline(
         figure, "How exactly must the kernels' widths be tuned?",
