@@ -12,6 +12,7 @@ __all__ = [
     "errors",
     "frame_border",
     "lazy_exports",
+    "once",
     "parallel",
     "parameters",
     "pose_space",

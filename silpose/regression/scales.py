@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from silpose.core.errors import InputError
 from silpose.core.types import Array
 
 _ROUNDING = 16 * np.finfo(float).eps  # of the largest value: what rounding leaves of a constant
@@ -39,3 +40,29 @@ def scales_from(deviation: Array, low: Array, high: Array) -> tuple[Array, NDArr
     varies = high - low > _ROUNDING * np.maximum(np.abs(low), np.abs(high))
     varies &= deviation > _NEGLIGIBLE * deviation.max(initial=0.0)
     return np.where(varies, deviation, 1.0), varies
+
+
+def units_of(units: ArrayLike | None, outputs: int) -> Array:
+    """Return one unit of error in each output, shape (m,).
+
+    Parameters
+    ----------
+    units : array-like, shape (m,), or number or None
+        One for each output or for all; None is 1.
+    outputs : int
+
+    Raises
+    ------
+    InputError
+        If one is not positive and finite, or there are not as many as outputs.
+    """
+    try:
+        found = np.asarray(1.0 if units is None else units, dtype=float)
+        fits = found.shape in ((), (outputs,)) and bool((np.isfinite(found) & (found > 0)).all())
+    except (TypeError, ValueError):
+        fits = False
+    if not fits:
+        raise InputError(
+            f"units must be {outputs} positive numbers, one for each output, or None, not {units!r}"
+        )
+    return np.broadcast_to(found, (outputs,))

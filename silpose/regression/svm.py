@@ -16,7 +16,7 @@ from silpose.core.types import Array
 from silpose.regression.basis import Basis
 from silpose.regression.examples import ArrayExamples, TrainingExamples
 from silpose.regression.regressor import Regressor
-from silpose.regression.scales import scales_of
+from silpose.regression.scales import scales_of, units_of
 
 
 class SupportVectorRegressor(Regressor):
@@ -33,8 +33,8 @@ class SupportVectorRegressor(Regressor):
         Half width ε of the tube within which errors cost nothing, in `units`.
     penalty : float, default=3.0
         C, for outputs of unit variance.
-    units : array-like, shape (m,), or None, default=None
-        One unit of error in each output; None is 1.
+    units : array-like, shape (m,), or number or None, default=None
+        One unit of error in each output, or one for all; None is 1.
 
     See Also
     --------
@@ -72,10 +72,7 @@ class SupportVectorRegressor(Regressor):
         gram = f[rows] if basis.kernel else f @ f.T
         mean, scale, varies = scales_of(x)
         moving = np.flatnonzero(varies)
-        tubes = np.broadcast_to(
-            self.tube * np.asarray(1.0 if self.units is None else self.units, dtype=float),
-            mean.shape,
-        )
+        tubes = self.tube * units_of(self.units, len(mean))
         machines = parallel_map(
             partial(_train, gram, self.penalty),
             [((x[rows, j] - mean[j]) / scale[j], tubes[j] / scale[j]) for j in moving],

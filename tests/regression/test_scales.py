@@ -3,6 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from silpose.core.errors import InputError
 from silpose.regression import (
     Basis,
     MixtureOfRegressors,
@@ -45,3 +46,16 @@ def test_constants_are_constant_whatever_rounding_does(value, count):
 def test_what_is_left_of_a_transformed_constant_does_not_vary():
     angles = np.column_stack([np.linspace(-90, 90, 50), 1e-14 * np.arange(50)])
     assert scales_of(angles)[2].tolist() == [True, False]
+
+
+@pytest.mark.parametrize(
+    "units", [[1.0, np.nan, 1.0], [1.0, np.inf, 1.0], [1.0, 2.0], [1.0, 0.0, 1.0], "a", [None] * 3]
+)
+@pytest.mark.parametrize(
+    "regressor", [SupportVectorRegressor(RAW), MixtureOfRegressors(2, hellinger=False)]
+)
+def test_units_that_cannot_be_used_are_refused(smooth, regressor, units):
+    (z, x), _ = smooth
+    with pytest.raises(InputError, match="units must be 3 positive numbers, one for each output"):
+        regressor.set_params(units=units).fit(z, x[:, :3])
+    regressor.set_params(units=[1.0, 2.0, 3.0]).fit(z, x[:, :3])

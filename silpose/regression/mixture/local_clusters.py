@@ -5,6 +5,8 @@ Where one silhouette means several poses, these fall into different clusters.
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 from scipy.sparse.csgraph import connected_components
 from sklearn.cluster import KMeans
@@ -67,3 +69,14 @@ def _absorb(points: Array, labels: Indices, smallest: int) -> Indices:
     own = np.full(len(size), -1)
     own[large] = np.arange(len(large))
     return np.where(own[labels] >= 0, own[labels], nearest)
+
+
+def warn_of_few(examples: int, clusters: int, smallest: int) -> None:
+    """Warn where components can have only few examples each, which do not determine them."""
+    if examples < smallest * clusters:
+        warnings.warn(
+            f"{examples} examples are few for clusters={clusters}: a RidgeRegressor will "
+            "estimate better, alone or as shared=RidgeRegressor()",
+            UserWarning,
+            stacklevel=4,  # who calls `fit`
+        )

@@ -7,7 +7,7 @@ output show that one silhouette means several poses, and EM.
 
 from __future__ import annotations
 
-import warnings
+from collections.abc import Callable
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -29,13 +29,14 @@ from silpose.core.parameters import (
     one_of,
 )
 from silpose.core.random_states import RandomState, seed_of
+from silpose.core.types import Array
 from silpose.regression.mixture.experts import Prior, expectation_maximisation
-from silpose.regression.mixture.local_clusters import local_clusters
+from silpose.regression.mixture.local_clusters import local_clusters, warn_of_few
 from silpose.regression.mixture.prediction import MixturePredictions
 from silpose.regression.mixture.reduction import PoseDirections
-from silpose.regression.mixture.shared_regressor import SharedRegressor
+from silpose.regression.mixture.shared_regressor import SharedFit, SharedRegressor
 from silpose.regression.regressor import Regressor
-from silpose.regression.scales import scales_of
+from silpose.regression.scales import scales_of, units_of
 
 
 class MixtureOfRegressors(MixturePredictions):
@@ -191,6 +192,20 @@ class MixtureOfRegressors(MixturePredictions):
         InputError
             If a parameter or an input cannot be used.
         """
+        return self.fit_with(X, y, SharedFit.of)
+
+    def fit_with(
+        self, X: ArrayLike, y: ArrayLike, fit_shared: Callable[[Regressor, Array, Array], SharedFit]
+    ) -> MixtureOfRegressors:
+        """Fit as `fit` does, where several mixtures of the same examples have one shared regressor.
+
+        Parameters
+        ----------
+        X : array-like, shape (n, d)
+        y : array-like, shape (n, D) or (n,)
+        fit_shared : callable
+            From `shared`, inputs and standardised poses to what is `SharedFit.of` them.
+        """
         check_parameters(self)
         inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
         if self.clusters > len(inputs):
@@ -198,7 +213,7 @@ class MixtureOfRegressors(MixturePredictions):
                 f"clusters must be at most the number of examples, n_samples = {len(inputs)}, "
                 f"not {self.clusters}"
             )
-        self._warn_of_few(len(inputs))
+        warn_of_few(len(inputs), self.clusters, self.smallest)
         self._single = outputs.ndim == 1
         outputs = outputs.reshape(len(outputs), -1).astype(float)
         self.mean_, self.scale_, self.varies_ = scales_of(outputs)
@@ -207,7 +222,7 @@ class MixtureOfRegressors(MixturePredictions):
         reduction = PoseDirections(self.dimensions, hellinger=self.hellinger, random_state=seed)
         compared = poses
         if self.units is not None:  # the geometric mean of both scales
-            compared = poses * np.sqrt(self.scale_ / np.asarray(self.units, dtype=float))
+            compared = poses * np.sqrt(self.scale_ / units_of(self.units, len(self.scale_)))
         self.reduction_ = reduction.fit(inputs, compared)
         psi = self.reduction_.transform(inputs)
         labels = local_clusters(psi, compared, self.clusters, self.smallest, seed)
@@ -219,20 +234,10 @@ class MixtureOfRegressors(MixturePredictions):
         self.shared_ = None
         if self.shared is not None:
             shares, _ = self.experts_.responsibilities(psi, poses, prior)
-            self.shared_ = SharedRegressor.fit(self.shared, inputs, poses, shares)
+            self.shared_ = SharedRegressor.within(fit_shared(self.shared, inputs, poses), shares)
         widest = self.experts_.spreads.max(axis=0)
         self.background_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
         return self
-
-    def _warn_of_few(self, examples: int) -> None:
-        """Warn where components can have only few examples each, which do not determine them."""
-        if examples < self.smallest * self.clusters:
-            warnings.warn(
-                f"{examples} examples are few for clusters={self.clusters}: a RidgeRegressor will "
-                "estimate better, alone or as shared=RidgeRegressor()",
-                UserWarning,
-                stacklevel=3,
-            )
 
     def __sklearn_tags__(self) -> Tags:
         tags = super().__sklearn_tags__()

@@ -23,6 +23,28 @@ _STRENGTH = 50.0  # examples that the mean squared error of all counts as, for e
 
 
 @dataclass(frozen=True)
+class SharedFit:
+    """A regressor fitted to all examples, whatever the components.
+
+    Attributes
+    ----------
+    regressor : Regressor
+        From inputs (n, d) to standardised poses (n, D).
+    squares : ndarray, shape (n, D)
+        Its squared errors in training.
+    """
+
+    regressor: Regressor
+    squares: Array
+
+    @classmethod
+    def of(cls, regressor: Regressor, inputs: Array, poses: Array) -> SharedFit:
+        """Fit a clone of a regressor to inputs (n, d) and standardised poses (n, D)."""
+        fitted = clone(regressor).fit(inputs, poses)
+        return cls(fitted, (fitted.predict(inputs) - poses) ** 2)
+
+
+@dataclass(frozen=True)
 class SharedRegressor:
     """A fitted regressor, and its training errors.
 
@@ -38,22 +60,18 @@ class SharedRegressor:
     variances: Array
 
     @classmethod
-    def fit(
-        cls, regressor: Regressor, inputs: Array, poses: Array, shares: Array
-    ) -> SharedRegressor:
-        """Fit a clone of a regressor, and measure its errors.
+    def within(cls, fit: SharedFit, shares: Array) -> SharedRegressor:
+        """Measure the errors of a regressor near each component.
 
         Parameters
         ----------
-        regressor : Regressor
-        inputs, poses : ndarray, shapes (n, d) and (n, D)
+        fit : SharedFit
         shares : ndarray, shape (n, K)
             Responsibility of each component for each example.
         """
-        fitted = clone(regressor).fit(inputs, poses)
-        squared = (fitted.predict(inputs) - poses) ** 2
         size = shares.sum(axis=0)[:, None] + _STRENGTH
-        return cls(fitted, (shares.T @ squared + _STRENGTH * squared.mean(axis=0)) / size)
+        near = (shares.T @ fit.squares + _STRENGTH * fit.squares.mean(axis=0)) / size
+        return cls(fit.regressor, near)
 
     def product(
         self, estimated: Array, means: Array, noises: Array, width: float, which: Indices

@@ -11,10 +11,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from silpose.core.once import Once
 from silpose.core.parallel import parallel_map
 from silpose.core.types import Array, Examples, Row, Settings
 from silpose.regression.mixture.mixture import MixtureOfRegressors
 from silpose.regression.mixture.modes import MODES, normalised
+from silpose.regression.mixture.shared_regressor import SharedFit
 from silpose.regression.regressor import Regressor
 from silpose.regression.selection.candidates import Candidates
 from silpose.regression.selection.folds import Fold, folds
@@ -141,10 +143,20 @@ def _fit(
     pairs: Sequence[Fold],
     settings: Sequence[Settings],
 ) -> dict[tuple[Fold, tuple[Any, ...]], MixtureOfRegressors]:
-    """Fit a mixture with every setting to every fold."""
+    """Fit a mixture with every setting to every fold, and the shared regressor once a fold."""
+    shared_fits: Once[SharedFit] = Once()
+
+    def fit(piece: tuple[Fold, Settings]) -> MixtureOfRegressors:
+        fold, setting = piece
+
+        def fit_shared(*examples: Any) -> SharedFit:
+            return shared_fits.get(fold, lambda: SharedFit.of(*examples))
+
+        return candidates.create(**setting).fit_with(fold.z, fold.x, fit_shared)
+
     pieces = [(fold, setting) for setting in settings for fold in pairs]
     fitted = parallel_map(
-        lambda piece: candidates.create(**piece[1]).fit(piece[0].z, piece[0].x),
+        fit,
         pieces,
         description="fitting mixtures",
         prefer="threads",

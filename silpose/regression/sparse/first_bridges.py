@@ -6,10 +6,7 @@ Several RVMs of the same normal equations, such as those of different sparsity, 
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from concurrent.futures import Future
-from threading import Lock
-
+from silpose.core.once import Once
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.sparse.quadratic_bridges import Bridges, minimise_with_bridges
 
@@ -30,30 +27,16 @@ class FirstBridges:
 
     def __init__(self, system: NormalEquations) -> None:
         self.system = system
-        self._found: dict[tuple[float, ...], Future[Bridges]] = {}
-        self._lock = Lock()
+        self._found: Once[Bridges] = Once()
 
     @property
     def start(self) -> Bridges:
         """Ridge regression: step 1 of Fig. 4."""
-        return self._once((), lambda: Bridges.start(self.system))
+        return self._found.get((), lambda: Bridges.start(self.system))
 
     def end(self, nu: float, max_iter: int, tol: float) -> Bridges:
         """Minimise Eq. 5 from there; parameters are those of `minimise_with_bridges`."""
-        return self._once(
+        return self._found.get(
             (nu, max_iter, tol),
             lambda: minimise_with_bridges(self.system, self.start, nu, max_iter, tol),
         )
-
-    def _once(self, key: tuple[float, ...], compute: Callable[[], Bridges]) -> Bridges:
-        with self._lock:
-            future = self._found.get(key)
-            is_first = future is None
-            if future is None:
-                future = self._found[key] = Future()
-        if is_first:
-            try:
-                future.set_result(compute())
-            except BaseException as error:
-                future.set_exception(error)  # nobody waits forever
-        return future.result()

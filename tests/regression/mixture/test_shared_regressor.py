@@ -3,7 +3,7 @@ import pytest
 from scipy.stats import norm
 
 from silpose.regression import MixtureOfRegressors, RidgeRegressor
-from silpose.regression.mixture.shared_regressor import SharedRegressor
+from silpose.regression.mixture.shared_regressor import SharedFit, SharedRegressor
 
 
 @pytest.fixture
@@ -18,7 +18,7 @@ def test_means_move_towards_it_where_its_error_is_small(examples):
     z, x = examples
     shares = np.column_stack([x[:, 0] < 2, x[:, 0] >= 2]).astype(float)
     x = np.column_stack([x, np.where(x[:, 0] < 2, 0.0, x[:, 1])])  # hard to predict beyond 2 only
-    shared = SharedRegressor.fit(RidgeRegressor(), z, x, shares)
+    shared = SharedRegressor.within(SharedFit.of(RidgeRegressor(), z, x), shares)
     noises = np.full((2, 3), 0.05)
 
     def move(noises, width, which):  # how far a mean of 0 moves towards an estimate of 1

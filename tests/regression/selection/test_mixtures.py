@@ -128,9 +128,11 @@ def test_with_validation_takes_each_setting_is_fitted_once(branches, validated, 
     assert mixture is validated.mixture
     assert fold.train == branches[:2]
     fits = []
-    fit = MixtureOfRegressors.fit
+    fit = MixtureOfRegressors.fit_with
     monkeypatch.setattr(
-        MixtureOfRegressors, "fit", lambda self, z, x: fits.append(len(z)) or fit(self, z, x)
+        MixtureOfRegressors,
+        "fit_with",
+        lambda self, *args: fits.append(len(args[0])) or fit(self, *args),
     )
     choose(branches[:2], branches[2:])
     assert fits == [240, 240]  # the numbers of clusters; all else only changes predictions
@@ -158,3 +160,12 @@ def test_side_by_side_it_chooses_the_same(branches, chosen):
     assert together.rows == chosen.rows
     z = branches[0][0]
     np.testing.assert_array_equal(together.mixture.predict(z), chosen.mixture.predict(z))
+
+
+def test_the_shared_regressor_is_fitted_once_a_fold(branches, monkeypatch):
+    fitted, fit = [], RidgeRegressor.fit
+    monkeypatch.setattr(
+        RidgeRegressor, "fit", lambda self, z, x: fitted.append(len(z)) or fit(self, z, x)
+    )
+    choose(branches)
+    assert sorted(fitted) == [240, 240, 240, 360]  # three folds, and all takes

@@ -43,7 +43,7 @@ def test_the_setting_best_on_validation_wins_then_shares_are_stacked(turns, part
 
 
 def test_fitted_parts_are_used_and_no_mixture_is_fitted_again(turns, parts, monkeypatch):
-    monkeypatch.setattr(MixtureOfRegressors, "fit", None)
+    monkeypatch.setattr(MixtureOfRegressors, "fit_with", None)
     tracker = choose_hypothesis_tracker(turns, candidates(), *parts)
     assert tracker.mixture_ is parts[0].mixture
     assert tracker.dynamics_ is parts[1]
