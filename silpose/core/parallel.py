@@ -113,6 +113,11 @@ def parallel_map(
     -------
     outcomes : list
         In the order of the items.
+
+    Raises
+    ------
+    InputError
+        If the backend of joblib that is set is ``multiprocessing``.
     """
     return list(_outcomes(function, items, description, ordered=True, prefer=prefer))
 
@@ -163,6 +168,7 @@ def _outcomes(
             outcomes = _ray.outcomes(call, items, ordered=ordered)
         else:
             kind = "generator" if ordered else "generator_unordered"
+            _check_backend()
             workers = Parallel(_jobs(), prefer=prefer, return_as=kind)
             outcomes = workers(delayed(call)(item) for item in items)
         for outcome in outcomes:
@@ -237,6 +243,17 @@ def thread_map(
     with ThreadPoolExecutor(threads) as pool:
         done = pool.map(lambda block: [function(int(index)) for index in block], blocks)
         return [outcome for block in done for outcome in block]
+
+
+def _check_backend() -> None:
+    """Refuse a backend of joblib whose outcomes cannot be had one by one."""
+    backend, n_jobs = get_active_backend()
+    if not (backend.supports_return_generator or backend.effective_n_jobs(n_jobs) == 1):
+        name = type(backend).__name__.removesuffix("Backend").lower()
+        raise InputError(
+            f"joblib's backend '{name}' gives outcomes only when all are there: use "
+            "joblib.parallel_config(backend='loky')"
+        )
 
 
 def _jobs() -> int | None:

@@ -23,7 +23,7 @@ from silpose.model import (
     predict_tree,
     see_masks,
 )
-from silpose.recording import Recording, Result, record_prediction
+from silpose.recording import Recording, Result, RunFolder, record_prediction
 from silpose.regression import check_methods
 from silpose.silhouette.mask_tree import is_tree
 from silpose.silhouette.masks import MaskSequence, MaskSource, read_masks
@@ -57,8 +57,8 @@ def predict(
     lag : float, default=0.5
         Seconds that a model that tracks (of ``experiment=tracking``) may wait for later frames.
     into : str, optional
-        Folder of the tables of a tree, by default its name with ``_poses``; what is finished there
-        is not done again.
+        Folder of the tables of a tree, by default its name with ``_poses``, beside the folders of
+        runs (``recordings/predict``); what is finished there is not done again.
     pattern : str, optional
         Levels of a tree, such as ``subject/sequence/view`` or, for some of them, ``*/nm-*/090``;
         without, takes may be at any depth.
@@ -87,7 +87,7 @@ def predict(
     if masks is None:
         with stage("takes"):
             answer = predict_tree(
-                fitted, source, into,
+                fitted, source, into or _tables_of(source, components.run),
                 pattern=pattern, options=own, lag=lag, fit=fit, table=table,
             )  # fmt: skip
         kept = None if model else fitted
@@ -109,6 +109,14 @@ def predict(
         tables={"poses.csv": pose_csv(poses, details.names)},
         summary=summary,
     )
+
+
+def _tables_of(source: str, run: RunFolder | None) -> Path:
+    """Name the folder of a tree's tables, which is the same for each run."""
+    if run is None:
+        raise InputError("without a run there is no folder for a tree's tables: give into=FOLDER")
+    root = run.folder.parents[len(Path(run.name).parts) - 1]
+    return root / f"{Path(source).resolve().name}_poses"
 
 
 def _train(components: Components, method: str) -> PoseModel:

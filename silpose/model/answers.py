@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from silpose.core.errors import InputError
 from silpose.core.types import Array
+from silpose.model.confidence import doubted_as_a_source
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.poses import Poses
 from silpose.model.prediction_details import PredictionDetails
@@ -113,10 +114,10 @@ def confidence_of(model: PoseModel, z: Array, x: Array, facts: MaskFacts) -> Arr
 
 
 def calibrated(model: PoseModel, z: Array, x: Array, facts: MaskFacts) -> Array:
-    """Confidence (F,) in poses; where the model has no calibration, that is said."""
+    """Confidence (F,) in poses of one source; if the model has no calibration, that is said."""
     if model.confidence is None:
         warn_without_calibration()
-    return confidence_of(model, z, x, facts)
+    return doubted_as_a_source(confidence_of(model, z, x, facts), facts)
 
 
 def warn_without_calibration() -> None:

@@ -15,6 +15,7 @@ from silpose.core.errors import InputError
 from silpose.silhouette.masks.array_files import ARRAYS
 from silpose.silhouette.masks.image_files import IMAGES
 from silpose.silhouette.masks.video_files import VIDEOS
+from silpose.silhouette.masks.yolo import LABELS, yolo_files
 
 _GLOB = re.compile(r"[*?\[]")
 _MANY = (*VIDEOS, *ARRAYS)  # suffixes of files that hold many masks
@@ -97,6 +98,8 @@ def is_tree(root: str | Path) -> bool:
     """Whether a path is a folder that holds no masks itself, but takes below it."""
     root = Path(root)
     if not root.is_dir() or _with_images([file.name for file in root.iterdir() if file.is_file()]):
+        return False
+    if yolo_files(root / LABELS):  # beside which are pictures
         return False
     takes = find_takes(root)
     first = next(takes, None)

@@ -9,6 +9,7 @@ import pytest
 from joblib import parallel_config
 from threadpoolctl import threadpool_info, threadpool_limits
 
+from silpose.core.errors import InputError
 from silpose.core.parallel import (
     OneThread,
     one_worker,
@@ -60,6 +61,16 @@ def test_exceptions_pass_through(n_jobs, prefer):
 
     with workers(n_jobs), pytest.raises(KeyError, match="the third"):
         parallel_map(function, range(5), prefer=prefer)
+
+
+@pytest.mark.parametrize("backend", ["loky", "threading", "sequential", "multiprocessing"])
+def test_backends_of_joblib_work_or_are_refused(backend):
+    with parallel_config(backend=backend, n_jobs=2):
+        if backend == "multiprocessing":
+            with pytest.raises(InputError, match=r"'multiprocessing' gives .*backend='loky'"):
+                parallel_map(str, range(3))
+        else:
+            assert parallel_map(str, range(3)) == ["0", "1", "2"]
 
 
 def test_processes_are_others_and_without_a_setting_there_are_none():
@@ -132,6 +143,7 @@ import joblib
 import numpy as np
 
 import silpose
+from silpose.core.errors import InputError
 from silpose.core.parallel import parallel_map
 
 

@@ -8,7 +8,7 @@ from small_components import REGRESSION
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
-from silpose.experiments.predict import _with_options
+from silpose.experiments.predict import _with_options, predict
 from silpose.experiments.setup import fitter_of_model, prepare
 from silpose.fitting import Confidence, FittingOptions
 from silpose.model import load
@@ -131,6 +131,11 @@ def test_a_tree_gives_a_table_per_take(run, own, model, mask_folder, tmp_path):
     assert (tmp_path / "poses" / "002" / "nm-01.csv").is_file()
     again = run("predict", tree, **given, record=False)
     assert "2 takes were finished before" in again.result.summary
+    beside = run("predict", tree, model=given["model"], record=False)
+    assert (beside.folder.parent / "root_poses" / "002" / "nm-01.csv").is_file()
+    assert sorted(file.name for file in root.iterdir()) == ["001", "002"]
+    with pytest.raises(InputError, match="into=FOLDER"):
+        predict(tree, model=given["model"])
 
 
 def test_the_run_shows_the_settings_of_the_model(run, own, model, tmp_path):

@@ -117,7 +117,7 @@ def _check_same(folder: Path, known: Mapping[str, object], wanted: Mapping[str, 
         name = differ[0]
         change = "" if name == "model" else f" ({known.get(name)} there, {wanted.get(name)} now)"
         raise InputError(
-            f"'{folder}' holds poses made with another {name}{change}: choose another folder by "
+            f"'{folder}' holds poses of another {name}{change}: choose another folder by "
             "into=FOLDER, or remove it"
         )
 

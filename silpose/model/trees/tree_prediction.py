@@ -77,7 +77,7 @@ class _Work:
 def predict_tree(
     model: PoseModel,
     root: str | Path,
-    into: str | Path | None = None,
+    into: str | Path,
     *,
     pattern: str | None = None,
     options: MaskSource | None = None,
@@ -93,9 +93,9 @@ def predict_tree(
         One that tracks needs the takes' rate: their own, or that of the options.
     root : path
         Folder of folders of masks, at any depth.
-    into : path, optional
-        Folder of the tables, laid out as the tree is, and of their index ``takes.csv``; by
-        default beside the tree, ``<root>_poses``. What is finished there is not done again.
+    into : path
+        Folder of the tables, laid out as the tree is, and of their index ``takes.csv``. What is
+        finished there is not done again.
     pattern : str, optional
         Levels of the tree, such as ``subject/sequence/view``, which are columns of the index
         then; see `TreePattern`.
@@ -129,12 +129,13 @@ def predict_tree(
     options = MaskSource(**(asdict(options or MaskSource()) | {"source": None, "blank": "nan"}))
     if model.tracker and not (fit or options.frames_per_second) and takes[0].path.is_dir():
         raise InputError(rate_wanted(f"the takes below '{root}'", model.frames_per_second))
-    folder = Path(into) if into else root.resolve().parent / f"{root.resolve().name}_poses"
+    folder = Path(into)
     with tempfile.TemporaryDirectory() as temporary:
         saved = Path(temporary) / "model.npz"
         model.save(saved)
         work = _Work(str(saved), options, lag, fit, folder, f".{table}")
-        settings = {"model": _digest(saved), "lag": lag, "fit": fit, "table": table}
+        settings = {"tree": str(root.resolve()), "model": _digest(saved), "lag": lag}
+        settings |= {"fit": fit, "table": table}
         settings |= asdict(options)
         index = TreeIndex.open(folder, settings)
         left = [take for take in takes if not index.is_done(take.name, take.changed)]

@@ -84,6 +84,8 @@ def serve(folder: str | Path, port: int = 9090, questions: Mapping[str, str] | N
 class _Files(SimpleHTTPRequestHandler):
     """Answers with the page of runs at ``/``, and with the files of the runs below it."""
 
+    timeout = 30.0  # seconds that an asker may say nothing, whose thread would else be held
+
     def __init__(
         self, *given: Any, root: Path, origin: str, questions: Mapping[str, str] | None
     ) -> None:
@@ -125,9 +127,16 @@ class _Files(SimpleHTTPRequestHandler):
             super().do_HEAD()
 
     def _is_hidden(self) -> bool:
-        """Whether a file is none that the page links to, but of the system's or half written."""
-        inside = Path(self.translate_path(self.path)).relative_to(self._root).parts
-        return any(part.startswith(".") for part in inside)
+        """Whether a file is none that the page links to, but of the system's or half written.
+
+        Nor is what a link leads to that is not below the folder, or what no name can be.
+        """
+        file = Path(self.translate_path(self.path))
+        try:
+            outside = not file.resolve().is_relative_to(self._root.resolve())
+        except (OSError, ValueError, RuntimeError):  # too long, a null, links in a circle
+            return True
+        return outside or any(part.startswith(".") for part in file.relative_to(self._root).parts)
 
     def _viewed(self, path: str) -> str:
         """Address of the viewer with a recording."""

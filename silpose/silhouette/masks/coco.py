@@ -45,9 +45,6 @@ def pictures_of_records(content: Any, source: str) -> tuple[list[Picture], tuple
         What it is called in messages.
     """
     held = records_of(content, source)
-    boxes = [record for record in held.records if "bbox" in record]
-    if boxes and not any(record.get("segmentation") for record in held.records):
-        raise InputError(f"{source} holds boxes, and no masks: export it with segmentations")
     sizes = {i.get("id"): (i.get("height"), i.get("width")) for i in held.images}
     names = {i.get("id"): str(i.get("file_name") or f"image {i.get('id')}") for i in held.images}
     found: dict[Any, list[Record]] = {key: [] for key in names}

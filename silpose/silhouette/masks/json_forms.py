@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,6 +16,8 @@ WANTED = (
 
 _PERSON = ("person", "people", "human", "pedestrian")
 _COCO_PERSON = 1
+_COUNTED_FROM_0 = 0  # the same of detectors that count from 0
+_LISTED = 5  # categories that a message names
 _LEAST_SCORE = 0.5  # of a detection
 _SEGMENTS = ("stability_score", "crop_box", "point_coords")  # of one image, cut in all its parts
 
@@ -58,6 +60,8 @@ def records_of(content: Any, source: str) -> Records:
         What it is called in messages.
     """
     images: list[Record] = []
+    if why := _why_not_read(content):
+        raise InputError(f"{source} {why}")
     if isinstance(content, Mapping) and "shapes" in content:
         content = _of_labelme(content)
     if isinstance(content, Mapping) and "annotations" in content:
@@ -89,13 +93,50 @@ def _people(records: Any, categories: Sequence[Record], source: str) -> tuple[An
     people = {c.get("id") for c in categories if str(c.get("name", "")).lower() in _PERSON}
     if people:
         return [r for r in kept if r.get("category_id") in people], ()
-    found = {r.get("category_id") for r in kept}
-    if len(found) > 1 and _COCO_PERSON in found:
-        doubt = (
-            f"{source} has several categories without names: 1 is taken for the person, as in COCO"
+    found = {r.get("category_id") for r in kept if "category_id" in r}
+    if len(found) < 2:
+        return kept, ()
+    for person, where in ((_COUNTED_FROM_0, " counted from 0"), (_COCO_PERSON, "")):
+        if person in found and not categories:
+            doubt = (
+                f"{source} has several categories without names: {person} is taken for the "
+                f"person, as in COCO{where}"
+            )
+            return [r for r in kept if r.get("category_id") == person], (doubt,)
+    names = {c.get("id"): str(c.get("name")) for c in categories}
+    listed = ", ".join(sorted(f"'{names.get(key, key)}'" for key in found)[:_LISTED])
+    raise InputError(
+        f"{source} has the categories {listed}, and none of them is called 'person': leave in it "
+        "those of the person, or call them so in 'categories'"
+    )
+
+
+def _why_not_read(content: Any) -> str | None:
+    """Say what JSON is that holds masks in another form, or none, and what to do with it."""
+    inside = content["annotations"] if _has(content, "annotations") else content
+    values = inside.values() if isinstance(inside, Mapping) else inside
+    items = [*values] if isinstance(values, Sequence | Iterable) else []
+    items = [] if isinstance(values, str) else items
+    if _has(content, "objects") and _has(content, "size"):
+        return "is of Supervisely: export the annotations as COCO, or as mask images"
+    first = items[0] if items else None
+    if _has(first, "regions") and _has(first, "filename"):
+        return "is of VIA: export the annotations as COCO"
+    if _has(first, "annotations") or _has(first, "completions"):
+        return (
+            "is of Label Studio: export polygons as COCO, and brushes as PNG, of which give the "
+            "folder"
         )
-        return [r for r in kept if r.get("category_id") == _COCO_PERSON], (doubt,)
-    return kept, ()
+    records = [item for item in items if isinstance(item, Mapping)]
+    masked = any(r.get("segmentation") is not None and r["segmentation"] != [] for r in records)
+    for key, words in (("keypoints", "joints of bodies"), ("bbox", "boxes")):
+        if records and not masked and any(key in record for record in records):
+            return f"holds {words}, and no masks: export it with segmentations"
+    return None
+
+
+def _has(content: object, key: str) -> bool:
+    return isinstance(content, Mapping) and key in content
 
 
 def _of_labelme(content: Record) -> Record:

@@ -22,8 +22,8 @@ _ADVICE: Mapping[tuple[str, ...], str] = {
     (".h5", ".hdf5", ".hdf"): f"is of HDF5: read it by h5py, and {_SAVE}, frames first",
     (".xml",): "is XML, as of CVAT: export the annotations as COCO (JSON), or as mask images",
     (".txt", ".csv"): (
-        "is text, which is read in the form of MOTS only: draw its masks as images, or export "
-        "them as COCO (JSON)"
+        "is text, which is read in the forms of MOTS and YOLO only: draw its masks as images, or "
+        "export them as COCO (JSON)"
     ),
 }
 _LOOKED_AT = 2000  # files of a folder

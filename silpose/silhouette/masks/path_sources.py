@@ -22,6 +22,7 @@ from silpose.silhouette.masks.natural_order import in_natural_order
 from silpose.silhouette.masks.other_formats import why_no_masks, why_not_read
 from silpose.silhouette.masks.picture import Picture
 from silpose.silhouette.masks.video_files import VIDEOS, read_video
+from silpose.silhouette.masks.yolo import LABELS, is_yolo, read_yolo, yolo_files
 
 _SAMPLE = 5  # files of a kind that are looked at
 
@@ -81,6 +82,8 @@ def _find_path(path: Path, options: MaskSource) -> Found:
         return Found(Animation(pictures), name, doubts=doubts)
     if suffix == ".txt" and is_mots(path):
         return Found(Animation(read_mots(path)), name)
+    if suffix == ".txt" and is_yolo(path):
+        return Found(Animation(read_yolo([path])), name)
     if why := why_not_read(path):
         raise InputError(f"{name} {why}")
     if suffix in IMAGES:
@@ -97,8 +100,14 @@ def _of_unknown_suffix(path: Path) -> Animation:
 
 def _find_folder(folder: Path, options: MaskSource) -> Found:
     chosen = choose_files(folder, lambda files: _are_masks(files, options))
+    name, texts = f"'{folder}'", yolo_files(folder)
+    if texts and not (chosen.files and _are_masks(chosen.files, options)):
+        ignored = tuple(f"{file.name}: the picture of a text" for file in chosen.files)
+        return Found(Animation(read_yolo(texts)), name, ignored)
+    if not chosen.files and (texts := yolo_files(labels := folder / LABELS)):
+        return Found(Animation(read_yolo(texts)), name, notes=(f"the masks are in '{labels}'",))
     if chosen.files:
-        return Found(_read_all(chosen.files), f"'{folder}'", chosen.ignored, chosen.doubts)
+        return Found(_read_all(chosen.files), name, chosen.ignored, chosen.doubts)
     alone = [
         file
         for file in folder.iterdir()

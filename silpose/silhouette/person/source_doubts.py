@@ -95,7 +95,10 @@ def doubts_about(masks: Sequence[Mask], facts: MaskFacts, called: str) -> tuple[
     aspect = float(np.median(facts.aspect[whole])) if whole.any() else UPRIGHT[0]
     if UPRIGHT[0] <= aspect <= UPRIGHT[1]:
         return ()
-    shape = "stretched to the sides" if aspect < UPRIGHT[0] else "squeezed from the sides"
+    if aspect < 1 / UPRIGHT[0]:
+        shape = "turned by a quarter (np.rot90 turns arrays), or stretched to the sides"
+    else:
+        shape = "stretched to the sides" if aspect < UPRIGHT[0] else "squeezed from the sides"
     return (
         f"the person{called} is {aspect:.1f} times as high as wide in the middle of all masks, "
         f"which for people who stand or walk is {UPRIGHT[0]} to {UPRIGHT[1]}: were the masks "

@@ -1,4 +1,5 @@
 import csv
+import shutil
 import warnings
 from dataclasses import replace
 
@@ -16,6 +17,11 @@ from silpose.tracking import BeliefTracker
 pytestmark = pytest.mark.filterwarnings("ignore:this model was trained without")
 
 
+def predicted(model, root, **given):
+    """Poses of a tree in a folder beside it."""
+    return predict_tree(model, root, root.with_name("root_poses"), **given)
+
+
 def index(folder):
     with (folder / "takes.csv").open(newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
@@ -26,7 +32,7 @@ def written(folder):
 
 
 def test_every_take_gets_a_table_and_a_line_in_the_index(small_model, tree, tmp_path):
-    answer = predict_tree(small_model, tree, pattern="subject/sequence/view")
+    answer = predicted(small_model, tree, pattern="subject/sequence/view")
     assert answer.folder == tmp_path / "root_poses"
     assert answer.summary() == (f"3 takes, 15 masks, 1 blank: see {answer.folder / 'takes.csv'}")
     rows = index(answer.folder)
@@ -41,9 +47,9 @@ def test_every_take_gets_a_table_and_a_line_in_the_index(small_model, tree, tmp_
 
 
 def test_what_is_finished_is_not_done_again(small_model, tree):
-    first = predict_tree(small_model, tree)
+    first = predicted(small_model, tree)
     before = written(first.folder)
-    again = predict_tree(small_model, tree)
+    again = predicted(small_model, tree)
     assert again.done_before == 3 and again.counts == first.counts
     after = written(first.folder)
     index_file = first.folder / "takes.csv"
@@ -53,7 +59,7 @@ def test_what_is_finished_is_not_done_again(small_model, tree):
 
 
 def test_a_killed_run_goes_on_where_it_was(small_model, tree):
-    whole = predict_tree(small_model, tree)
+    whole = predicted(small_model, tree)
     rows = index(whole.folder)
     text = (whole.folder / "takes.csv").read_text()
     lines = text.splitlines(keepends=True)
@@ -61,7 +67,7 @@ def test_a_killed_run_goes_on_where_it_was(small_model, tree):
     # The first take is in the index, the second's table is finished, the third is not begun.
     (whole.folder / "takes.csv").write_text(lines[0] + lines[1] + lines[2][:9])
     (whole.folder / rows[2]["table"]).unlink()
-    answer = predict_tree(small_model, tree)
+    answer = predicted(small_model, tree)
     assert answer.done_before == 1 and answer.counts == whole.counts
     assert index(whole.folder) == rows
     after = written(whole.folder)
@@ -70,9 +76,9 @@ def test_a_killed_run_goes_on_where_it_was(small_model, tree):
 
 
 def test_a_take_that_changed_is_done_again(small_model, tree, sequence):
-    predict_tree(small_model, tree)
+    predicted(small_model, tree)
     cv2.imwrite(str(tree / "001" / "nm-01" / "090" / "005.png"), 255 * sequence.masks[20])
-    answer = predict_tree(small_model, tree)
+    answer = predicted(small_model, tree)
     assert answer.done_before == 2 and answer.counts["masks"] == 16
 
 
@@ -81,14 +87,14 @@ def test_a_bad_take_is_named_and_skipped_and_tried_again(small_model, tree, sequ
     whole = bad.read_bytes()
     bad.write_bytes(whole[:40])
     with pytest.warns(UserWarning, match=r"1 take could not be used.*001/nm-02/090.*001\.png"):
-        answer = predict_tree(small_model, tree)
+        answer = predicted(small_model, tree)
     assert (answer.takes, answer.failed, answer.counts["masks"]) == (3, 1, 10)
     assert "001.png" in index(answer.folder)[1]["error"]
     bad.write_bytes(whole)
     with warnings.catch_warnings():
         warnings.simplefilter("error", UserWarning)
         warnings.filterwarnings("ignore", "this model was trained without")
-        again = predict_tree(small_model, tree)
+        again = predicted(small_model, tree)
     assert (again.done_before, again.failed, again.counts["masks"]) == (2, 0, 15)
 
 
@@ -101,21 +107,24 @@ def test_doubts_about_a_take_are_in_the_index(small_model, tree, sequence):
         stretched = cv2.resize(255 * crop, (80, 80), interpolation=cv2.INTER_NEAREST)
         cv2.imwrite(str(wide / f"{frame}.png"), np.pad(stretched, 8))
     with pytest.warns(UserWarning, match=r"1 take may be wrong.*003/stretched"):
-        answer = predict_tree(small_model, tree)
+        answer = predicted(small_model, tree)
     doubts = [row["doubts"] for row in index(answer.folder)]
     assert doubts[:3] == ["", "", ""] and "stretched" in doubts[3]
 
 
 def test_tables_of_other_settings_are_not_mixed(small_model, tree, tmp_path, sequence):
-    predict_tree(small_model, tree)
+    predicted(small_model, tree)
     with pytest.raises(InputError, match=r"another person \(None there, left now\).*into=FOLDER"):
-        predict_tree(small_model, tree, options=MaskSource(person="left"))
+        predicted(small_model, tree, options=MaskSource(person="left"))
     other = replace(small_model)
     other.regressor = type(other.regressor)(damping=1.0).fit(
         small_model.descriptor.transform(sequence.masks), sequence.x
     )
     with pytest.raises(InputError, match="another model"):
-        predict_tree(other, tree)
+        predicted(other, tree)
+    shutil.copytree(tree, tmp_path / "copy" / "root")
+    with pytest.raises(InputError, match=r"poses of another tree .*into=FOLDER"):
+        predict_tree(small_model, tmp_path / "copy" / "root", tree.with_name("root_poses"))
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "thesis.txt").write_text("")
     with pytest.raises(InputError, match=r"holds other files.*into=FOLDER"):
@@ -134,7 +143,7 @@ def test_parquet_holds_the_same(small_model, tree, tmp_path):
         else:
             assert other[name].tolist() == values.tolist()
     with pytest.raises(InputError, match="table must be"):
-        predict_tree(small_model, tree, table="xlsx")
+        predicted(small_model, tree, table="xlsx")
 
 
 def test_a_tracker_asks_for_the_rate_before_the_work(small_model, tree, tmp_path, sequence):
@@ -152,9 +161,9 @@ def test_a_tracker_asks_for_the_rate_before_the_work(small_model, tree, tmp_path
 def test_a_tree_without_takes_says_what_is_expected(small_model, tree, tmp_path):
     (tmp_path / "nothing").mkdir()
     with pytest.raises(InputError, match=r"no masks below .*nothing'"):
-        predict_tree(small_model, tmp_path / "nothing")
+        predicted(small_model, tmp_path / "nothing")
     with pytest.raises(InputError, match=r"fits pattern=subject/view: .* such as '001/nm-01/090'"):
-        predict_tree(small_model, tree, pattern="subject/view")
+        predicted(small_model, tree, pattern="subject/view")
 
 
 def test_several_processes_give_the_same(small_model, tree, tmp_path, monkeypatch):
@@ -172,4 +181,4 @@ def test_a_tree_of_files_that_are_not_read_says_so(small_model, tmp_path):
     take.mkdir(parents=True)
     (take / "090.pkl").write_bytes(b"x")
     with pytest.raises(InputError, match=r"no masks below .*090\.pkl' holds pickled objects"):
-        predict_tree(small_model, tmp_path, pattern="subject/view")
+        predicted(small_model, tmp_path, pattern="subject/view")

@@ -112,11 +112,36 @@ def outside():
 
 def test_only_runs_are_served(address, folder):
     (folder.parent / "secret").write_text("x")
-    hidden = ("single_image/killed/.run.partial.rrd", "single_image/killed/%2erun.partial.rrd")
+    (folder / "link").symlink_to(folder.parent / "secret")
+    (folder / "outside").symlink_to(folder.parent)
+    (folder / "circle").symlink_to("circle")
+    hidden = (
+        "link",
+        "outside/secret",
+        "circle",
+        "%00",
+        "x" * 5000,
+        "single_image/killed/.run.partial.rrd",
+    )
+    hidden += ("single_image/killed/%2erun.partial.rrd", "single_image/..%2f..%2fsecret")
     for path in ("single_image/", "../secret", "%2e%2e/secret", "nothing", *hidden):
         with pytest.raises(HTTPError, match="404"):
             read(f"{address}/{path}")
     assert json.loads(read(f"{address}/single_image/whole/metrics.json"))["seed"] == 0
+
+
+def test_who_says_nothing_is_not_waited_for(folder, monkeypatch):
+    monkeypatch.setattr("silpose.recording.runs.server._Files.timeout", 0.3)
+    with served(folder, free_port()) as address:
+        place = "127.0.0.1", int(address.rpartition(":")[2])
+        slow = [socket.create_connection(place) for _ in range(20)]
+        for asked in slow:
+            asked.sendall(b"GET /")
+        assert json.loads(read(f"{address}/single_image/whole/metrics.json"))["seed"] == 0
+        for asked in slow:
+            asked.settimeout(20)
+            assert asked.recv(1) == b""  # hung up on
+            asked.close()
 
 
 def test_what_cannot_be_served_is_named(folder, address, tmp_path):

@@ -96,7 +96,7 @@ def test_polygons_are_filled_up_to_the_pixels_corners(tmp_path):
         ("3", "holds no masks"),
         ('{"images": []}', "holds no masks"),
         ("[1, 2]", "item 0 .* is no mask"),
-        ('[{"keypoints": [1]}]', "item 0 .* is no mask"),
+        ('[{"keypoints": [1]}]', "holds joints of bodies, and no masks"),
         (
             '{"annotations":[{"image_id":1,"segmentation":{"size":[9,9],"counts":"abc"}}]}',
             "image 1",

@@ -57,6 +57,40 @@ def test_uncertain_detections_and_other_categories_are_left_out():
     )
 
 
+def of_categories(*categories):
+    return [{"image_id": 1, "category_id": c, "segmentation": RUNS} for c in categories]
+
+
+def test_people_of_detectors_that_count_from_0():
+    held = records_of(of_categories(0, 56), "it")
+    assert [record["category_id"] for record in held.records] == [0]
+    assert "0 is taken for the person, as in COCO counted from 0" in held.doubts[0]
+
+
+def test_categories_without_a_person_are_not_thrown_together():
+    assert len(records_of(of_categories(7, 7), "it").records) == 2
+    with pytest.raises(InputError, match="it has the categories '7', '9', and none of them"):
+        records_of(of_categories(7, 9), "it")
+    named = [{"id": 1, "name": "dog"}, {"id": 2, "name": "cat"}]
+    with pytest.raises(InputError, match="it has the categories 'cat', 'dog', and none of them"):
+        records_of({"annotations": of_categories(1, 2), "categories": named}, "it")
+
+
+OTHERS = {
+    "is of Label Studio: export": [{"data": {}, "annotations": [{"result": []}]}],
+    "is of VIA: export": {"a.png1": {"filename": "a.png", "regions": []}},
+    "is of Supervisely: export": {"size": {"height": 1}, "objects": []},
+    "holds boxes, and no masks": {"annotations": [{"image_id": 1, "bbox": [1, 2, 3, 4]}]},
+    "holds joints of bodies": [{"image_id": 1, "segmentation": [], "keypoints": [0] * 51}],
+}
+
+
+@pytest.mark.parametrize("message", OTHERS)
+def test_other_forms_are_called_by_their_names(message):
+    with pytest.raises(InputError, match=f"it {message}"):
+        records_of(OTHERS[message], "it")
+
+
 @pytest.mark.parametrize("content", [None, 3, "text", [], {}, {"a": 1}, {"0": 3}, [1], [{"a": 1}]])
 def test_what_holds_no_masks_is_refused(content):
     with pytest.raises(InputError, match=r"it holds no masks|item 0 of it is no mask"):

@@ -24,7 +24,7 @@ def test_people_are_read_frame_by_frame(tmp_path):
     [
         ("1 1005 1 2 3 222", "holds no people: in MOTS their class is 2"),
         ("1 2001 2 2 3 222\n2 2001", "line 2 of .* is incomplete"),
-        ("0 0.5 0.5 0.1 0.1", "is text, which is read in the form of MOTS only"),
+        ("0 0.5 0.5 7.1 0.1", "is text, which is read in the forms of MOTS and YOLO only"),
     ],
 )
 def test_what_is_no_mots_is_named(tmp_path, text, message):

@@ -32,6 +32,11 @@ def test_frames_stretched_to_the_sides_are_doubted(sequence):
         select_person(masks)
 
 
+def test_frames_turned_by_a_quarter_are_doubted(sequence):
+    with pytest.warns(UserWarning, match=r"turned by a quarter \(np\.rot90"):
+        select_person([np.rot90(mask).copy() for mask in sequence.masks])
+
+
 def test_crops_in_proportion_are_not_doubted(sequence, recwarn):
     select_person([resized(np.pad(crop(mask), 2), 44, 64) for mask in sequence.masks[:1]])
     select_person([crop(mask) for mask in sequence.masks])
