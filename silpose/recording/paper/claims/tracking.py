@@ -88,7 +88,7 @@ TRACKING = (
     Claim(
         "V-B", "data", "Eight sequences with about 2000 poses to train on, one of about 400 for "
         "validation, one to test.", experiment="tracking", ours=lambda f: f.run.dataset,
-        agrees="The amounts are alike, and no take is in two of the three sets.",
+        agrees="Each take is in one of the three sets alone; amounts are those of the data.",
     ),
     Claim(
         "V-B", "Fig. 14", "Dynamics alone drift; observations alone glitch; both together track.",
