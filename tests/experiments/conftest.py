@@ -1,6 +1,6 @@
 """Components of a few seconds of motion, and a function that runs an experiment on them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import cv2
@@ -67,7 +67,8 @@ def run(tmp_path_factory):
         root = tmp_path_factory.mktemp("recordings")
         folder = RunFolder.start(name, root=str(root), sinks=["file"] if record else [])
         with timing() as seconds:
-            result = EXPERIMENTS[name](components, **own)
+            told = components if components.run else replace(components, run=folder)
+            result = EXPERIMENTS[name](told, **own)
             write_result(folder, result, components.seed, seconds)
         if result.figure is not None:
             assert cv2.imread(str(folder.folder / f"{name}.png")).std() > 10
