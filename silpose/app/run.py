@@ -16,7 +16,7 @@ from silpose.app.config import load, plain
 from silpose.app.registry import ALTERNATIVES, COMPONENTS, experiment
 from silpose.core.errors import InputError
 from silpose.core.stages import timing
-from silpose.experiments import CATALOGUE
+from silpose.experiments.catalogue import CATALOGUE, Entry
 from silpose.recording import FinishedRun, load_run, write_result
 
 _GROUPS = {name.partition(".")[0] for name in (*ALTERNATIVES, *COMPONENTS)}
@@ -76,10 +76,9 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
     text, defaults = (
         OmegaConf.to_yaml(each, resolve=True) for each in (settings, load([f"experiment={name}"]))
     )
-    entry = CATALOGUE.get(name)
     folder = build(
         "recording", given["recording"], experiment=name, settings=text, defaults=defaults,
-        rows=entry.rows if entry else "method",
+        rows=CATALOGUE.get(name, Entry("")).rows,
     )  # fmt: skip
     try:
         job = prepared(components=replace(components, run=folder))

@@ -9,7 +9,7 @@ import numpy as np
 
 from silpose.core.types import Array, Indices
 from silpose.fitting.leg_motion import FIT_ERROR, LegMotion
-from silpose.fitting.modes import LEGS, Modes, legs_swapped
+from silpose.fitting.modes import LEGS, Modes, legs_swapped, wrapped
 from silpose.fitting.parameters import ANGLES
 from silpose.fitting.prior import PosePrior, news
 
@@ -191,6 +191,6 @@ def _parts(swap_costs: Array, apart: int) -> Indices:
 
 
 def _squares(off: Array, precision: Array) -> Array:
-    wrapped = off - 2 * np.pi * np.round(off / (2 * np.pi))
-    squares: Array = (wrapped @ precision * wrapped).sum(axis=-1)
+    off = wrapped(off)
+    squares: Array = (off @ precision * off).sum(axis=-1)
     return squares

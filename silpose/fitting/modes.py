@@ -79,7 +79,7 @@ def distinct(parameters: Array, costs: Array) -> Indices:
     """
     kept: list[int] = []
     for end in np.argsort(costs, kind="stable"):
-        apart = _wrapped(parameters[kept, :ANGLES] - parameters[end, :ANGLES])
+        apart = wrapped(parameters[kept, :ANGLES] - parameters[end, :ANGLES])
         if np.isfinite(costs[end]) and (np.abs(apart).mean(axis=1) > _ALIKE).all():
             kept.append(int(end))
     return np.array(kept or [0])
@@ -95,7 +95,7 @@ def weights_of(costs: Array) -> Array:
 
 def spread_around(modes: Modes, chosen: int) -> Array:
     """Find what the other modes add to the covariance of the chosen one's angles, radians²."""
-    off = _wrapped(modes.parameters[:, :ANGLES] - modes.parameters[chosen, :ANGLES])
+    off = wrapped(modes.parameters[:, :ANGLES] - modes.parameters[chosen, :ANGLES])
     spread: Array = np.einsum("k,ki,kj->ij", weights_of(modes.costs), off, off)
     return spread
 
@@ -171,7 +171,7 @@ def most_likely_path(
     steps = np.zeros((1, len(costs[0]), ANGLES))
     came_from: list[Indices] = []
     for t in range(1, len(modes)):
-        new = _wrapped(modes[t][None, :, :ANGLES] - modes[t - 1][:, None, :ANGLES])
+        new = wrapped(modes[t][None, :, :ANGLES] - modes[t - 1][:, None, :ANGLES])
         moved = ((new @ whiten.T) ** 2).sum(axis=2)
         through = total[:, :, None] + (moved + costs[t])[None]
         if t > 1:
@@ -187,5 +187,6 @@ def most_likely_path(
     return np.array(path[::-1])
 
 
-def _wrapped(angles: Array) -> Array:
+def wrapped(angles: Array) -> Array:
+    """Wrap differences of angles, radians, to half a turn."""
     return angles - 2 * np.pi * np.round(angles / (2 * np.pi))

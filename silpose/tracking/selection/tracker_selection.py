@@ -47,7 +47,7 @@ class TrackerSelection:
     ----------
     train, validation : sequence of (z, x)
         Descriptors (F, d) and poses (F, D) of each take. Without validation takes, the training
-        takes are left out by turns.
+        takes are left out in turn.
     space : PoseSpace
     frames_per_second : float
         Frame rate of all takes.
