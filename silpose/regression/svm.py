@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import ClassVar
 
@@ -15,14 +16,22 @@ from silpose.core.parameters import NOT_NEGATIVE, POSITIVE, Constraints, check_p
 from silpose.core.types import Array
 from silpose.regression.basis import Basis
 from silpose.regression.examples import ArrayExamples, TrainingExamples
+from silpose.regression.linear_support_vectors import train_linear
 from silpose.regression.regressor import Regressor
 from silpose.regression.scales import scales_of, units_of
 
+Problem = tuple[Array, float]
+"""Values of one output (n,), and the half width of its tube."""
+
+Machine = tuple[Array, float]
+"""Weights of the examples (n,), and the offset."""
+
 
 class SupportVectorRegressor(Regressor):
-    """ε-insensitive regression on a basis, by scikit-learn's `SVR`.
+    """ε-insensitive regression on a basis, by scikit-learn's `SVR` where there are kernels.
 
-    With kernels, the machines work on the examples that carry one; with a linear basis on all.
+    With kernels, the machines work on the examples that carry one. With a linear basis they work
+    on all, and are solved for the features' weights where these are fewer.
     `joblib.parallel_config` sets how many machines are trained at the same time.
 
     Parameters
@@ -69,14 +78,13 @@ class SupportVectorRegressor(Regressor):
             raise InputError("support vectors need kernels or a linear basis, not both")
         f = basis.evaluate(z)
         rows = basis.indices_ if basis.kernel else np.arange(len(z))
-        gram = f[rows] if basis.kernel else f @ f.T
         mean, scale, varies = scales_of(x)
         moving = np.flatnonzero(varies)
         tubes = self.tube * units_of(self.units, len(mean))
         machines = parallel_map(
-            partial(_train, gram, self.penalty),
+            self._trainer(f[rows] if basis.kernel else f, bool(basis.kernel)),
             [((x[rows, j] - mean[j]) / scale[j], tubes[j] / scale[j]) for j in moving],
-            prefer="threads",  # libsvm works outside of Python's lock
+            prefer="threads",  # all work is done outside of Python's lock
         )
         dual = np.zeros((len(rows), x.shape[1]))
         self.intercept_ = mean.copy()
@@ -93,9 +101,14 @@ class SupportVectorRegressor(Regressor):
         self.kept_ = len(support) / len(rows)
         self.kept_per_output_ = np.count_nonzero(dual) / dual.size
 
+    def _trainer(self, f: Array, kernels: bool) -> Callable[[Problem], Machine]:
+        """Return what trains the machine of one output, from kernels or from features (n, k)."""
+        if kernels or f.shape[1] > len(f):
+            return partial(_train_on_kernels, f if kernels else f @ f.T, self.penalty)
+        return lambda problem: train_linear(f, problem[0], self.penalty, problem[1])
 
-def _train(gram: Array, penalty: float, problem: tuple[Array, float]) -> tuple[Array, float]:
-    """Train the machine of one output and its tube; return dual weights (n,) and offset."""
+
+def _train_on_kernels(gram: Array, penalty: float, problem: Problem) -> Machine:
     y, tube = problem
     machine = SVR(kernel="precomputed", C=penalty, epsilon=tube).fit(gram, y)
     weights = np.zeros(len(y))
