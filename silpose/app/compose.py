@@ -11,9 +11,10 @@ from omegaconf import DictConfig
 from silpose.app.build import build, build_alternative, build_candidates
 from silpose.app.config import plain
 from silpose.app.registry import COMPONENTS
+from silpose.core.digest import digest
 from silpose.dataset import Renderer
 from silpose.experiments.setup import Components
-from silpose.model import DescriptorCache, digest
+from silpose.model import DescriptorCache
 from silpose.motion import MotionSource
 
 _RENDERED_WITH = ("body", "camera", "scenes", "degradation")

@@ -7,7 +7,6 @@ fitted parts to experiments, to recordings, and as one file to whoever loads it.
 from silpose.model.describe import Descriptor, describe_takes, fit_descriptor
 from silpose.model.described_masks import see_masks
 from silpose.model.descriptor_cache import DescriptorCache
-from silpose.model.digest import digest
 from silpose.model.fitter_training import FitterTraining
 from silpose.model.image_overlay import joints_in_image
 from silpose.model.loading import load
@@ -37,7 +36,6 @@ __all__ = [
     "compare",
     "describe_dataset",
     "describe_takes",
-    "digest",
     "fit_descriptor",
     "joints_in_image",
     "load",

@@ -11,14 +11,13 @@ from typing import Any, Self
 from zipfile import BadZipFile
 
 import numpy as np
-from filelock import FileLock
 
 from silpose.core.array_files import read_npz
 from silpose.core.atomic_files import writing
-from silpose.core.errors import InputError
+from silpose.core.digest import digest
+from silpose.core.one_builder import one_builder
 from silpose.core.types import Array
 from silpose.descriptor import ShapeContextHistogram
-from silpose.model.digest import digest
 
 DESCRIPTORS = 2
 """To be raised when masks or descriptors change for the same settings."""
@@ -82,26 +81,9 @@ class DescriptorCache:
 
     @contextmanager
     def building(self) -> Iterator[None]:
-        """Let one process alone build the cache; the others wait until it has, or has died.
-
-        Raises
-        ------
-        InputError
-            If the folder cannot be written to.
-        """
-        try:
-            self.file.parent.mkdir(parents=True, exist_ok=True)
-            lock = FileLock(self.file.with_suffix(".lock"))
-            lock.acquire()
-        except OSError as error:
-            raise InputError(
-                f"cannot write to '{self.file.parent}' ({error.strerror}): "
-                "choose another dataset.cache"
-            ) from error
-        try:
+        """Let one process alone build the cache, as of `one_builder`."""
+        with one_builder(self.file):
             yield
-        finally:
-            lock.release()
 
     def store(self, descriptor: ShapeContextHistogram, z: Sequence[Array]) -> None:
         """Write the fitted descriptor and z (F, d) of every take, while `building`."""

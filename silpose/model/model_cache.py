@@ -11,9 +11,9 @@ from typing import Self
 
 from platformdirs import user_cache_path
 
+from silpose.core.digest import digest
 from silpose.core.errors import InputError
 from silpose.model.descriptor_cache import DESCRIPTORS
-from silpose.model.digest import digest
 from silpose.model.loading import load
 from silpose.model.model_file import FORMAT
 from silpose.model.pose_model import PoseModel

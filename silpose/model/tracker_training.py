@@ -89,6 +89,7 @@ class TrackerTraining:
             described.data.space,
             described.frames_per_second,
             described.groups,
+            known=described.known,
         )
         return cls(described, regression, tracking, selection)
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from silpose.core.known_results import KnownResults
 from silpose.core.stages import timed
 from silpose.core.types import Array, Examples, Metrics
 from silpose.dataset import Dataset, Take
@@ -46,6 +47,8 @@ class DescribedDataset:
         None where the dataset holds descriptors of unknown origin.
     train, validation, test : sequence of (z, x)
         Descriptors (F, d) and poses (F, D) of each take.
+    known : KnownResults
+        Scores of settings from runs before.
     """
 
     data: Dataset
@@ -53,6 +56,7 @@ class DescribedDataset:
     train: Examples
     validation: Examples
     test: Examples
+    known: KnownResults = field(default_factory=KnownResults, kw_only=True)
 
     @timed("regression")
     def choose(
@@ -69,14 +73,16 @@ class DescribedDataset:
         """
         space = self.data.space
         units: ArrayLike = space.units if part is None else space.units[space.parts[part]]
+        train, validation = self.examples("train", part), self.examples("validation", part)
         return choose_regressors(
             candidates,
             methods,
-            self.examples("train", part),
-            self.examples("validation", part),
+            train,
+            validation,
             self.error(part),
             units=units,
             groups=self.groups,
+            known=self.known.depending_on(train, validation, self.groups, space, part),
         )
 
     def choose_ridge(self, candidates: RegressionCandidates) -> RidgeRegressor:
@@ -106,6 +112,7 @@ class DescribedDataset:
             distance=space.distance,
             groups=self.groups,
             shared=shared,
+            known=self.known.depending_on(self.train, self.validation, self.groups, space),
         )
 
     @property
@@ -182,7 +189,8 @@ def describe_dataset(
         Never changed: a copy is fitted to the training masks.
     cache : DescriptorCache, optional
         Both are read from it, if it holds them, and else written to it. Of several processes
-        that need the same, one writes it and the others read it.
+        that need the same, one writes it and the others read it. Its folder holds scores of
+        settings, too.
     """
     splits = [data.train, data.validation, data.test]
     lengths = [len(take) for split in splits for take in split]
@@ -196,7 +204,8 @@ def describe_dataset(
                 cache.store(fitted, z)
     rest = iter(z)
     parts = ([(next(rest), take.x) for take in split] for split in splits)
-    return DescribedDataset(data, fitted, *parts)
+    known = KnownResults(None if cache is None else cache.file.parent)
+    return DescribedDataset(data, fitted, *parts, known=known)
 
 
 def _described(

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from silpose.core.known_results import KnownResults
 from silpose.core.once import Once
 from silpose.core.parallel import parallel_map
 from silpose.core.types import Array, Examples, Row, Settings
@@ -65,6 +66,7 @@ def choose_mixture(
     distance: Distance,
     groups: Sequence[str] | None = None,
     shared: Regressor | None = None,
+    known: KnownResults | None = None,
 ) -> ChosenMixture:
     """Fit the mixture of highest held-out likelihood, then calibrate the weights of its modes.
 
@@ -87,6 +89,8 @@ def choose_mixture(
         Group of each training take; without validation takes, each group is held out once.
     shared : Regressor, optional
         The shared regressor, whose settings are chosen already.
+    known : KnownResults, optional
+        Scores on the same takes from runs before.
 
     Returns
     -------
@@ -104,12 +108,19 @@ def choose_mixture(
         *_GATES,
     )
     once = tuple(name for name in first if name not in _PREDICTION)
-    fitted = _fit(candidates, pairs, candidates.settings(*once))
+    known = (known or KnownResults()).depending_on(candidates)
+    fitted: dict[tuple[Fold, tuple[Any, ...]], MixtureOfRegressors] = {}
 
     def mixture(fold: Fold, setting: Settings) -> MixtureOfRegressors:
         """Return a fitted mixture that predicts with some settings."""
         own = copy(fitted[fold, tuple(setting[name] for name in once)])
         return own.set_params(**setting)
+
+    def fit(settings: Sequence[Settings]) -> None:
+        """Fit to every fold, unless that was done already."""
+        if not fitted:
+            some = [{name: setting[name] for name in once} for setting in settings]
+            fitted.update(_fit(candidates, pairs, some))
 
     rows: list[Row] = []
     chosen: Settings = {}
@@ -117,10 +128,15 @@ def choose_mixture(
     def stage(names: Sequence[str], scorer: Scorer[Fold], score: Score, **more: Any) -> float:
         """Choose some settings, others being chosen already, and return their score."""
         settings = [chosen | setting for setting in candidates.settings(*names)]
-        found = search(
-            scorer, pairs, settings,
-            method="mixture", score=score, description="choosing mixture", **more,
-        )  # fmt: skip
+
+        def scored() -> list[Row]:
+            fit(candidates.settings(*once))
+            return search(
+                scorer, pairs, settings,
+                method="mixture", score=score, description="choosing mixture", **more,
+            )  # fmt: skip
+
+        found: list[Row] = known.recall(scored, settings, score)
         row: Any = best(found, score)
         rows.extend(found)
         chosen.update(settings_of(row, names))
@@ -131,6 +147,7 @@ def choose_mixture(
     for names in _SHARED_STAGES if shared is not None else ():
         reached = stage(names, likelihood, _LIKELIHOOD, fitted_once=names)
     stage(("calibration_exponent",), partial(_brier_scores, mixture, distance), _BRIER)
+    fit([chosen])
     by_fold = [(fold, mixture(fold, chosen)) for fold in pairs]
     if validation:  # the only fold's training takes are all of them
         return ChosenMixture(by_fold[0][1], rows, by_fold, reached)

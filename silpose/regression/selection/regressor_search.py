@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from math import ceil
 from typing import Any
 
+from silpose.core.known_results import KnownResults
 from silpose.core.types import Array, Examples, Row, Settings
 from silpose.regression.basis import Basis
 from silpose.regression.regressor import Regressor
@@ -40,6 +41,8 @@ class HeldOut:
         Descriptors and poses of each take.
     groups : sequence of str, optional
         Group of each training take.
+    known : KnownResults, optional
+        Scores of searches that were done before.
 
     Attributes
     ----------
@@ -57,7 +60,9 @@ class HeldOut:
         train: Examples,
         validation: Examples,
         groups: Sequence[str] | None,
+        known: KnownResults | None = None,
     ) -> None:
+        self.known = (known or KnownResults()).depending_on(bases)
         self._bases = bases
         self._error = error
         everything = Fold(train, validation)
@@ -112,7 +117,14 @@ class Choice:
 
     def score(self) -> Choice:
         """Score all settings on all folds, and choose."""
-        self.rows = search(
+        self.rows = self.held_out.known.recall(self._search, self.method, self.fit, self.candidates)
+        self._chosen = self.rows.index(self.pick(self.rows))
+        chosen = self._fitted.get(self._chosen)
+        self._fitted = {} if chosen is None else {self._chosen: chosen}  # frees the others
+        return self
+
+    def _search(self) -> list[Row]:
+        return search(
             self._outcomes,
             self.held_out.folds,
             self.candidates,
@@ -120,10 +132,6 @@ class Choice:
             fitted_once=self.fitted_once,
             description=f"choosing {self.method}",
         )
-        self._chosen = self.rows.index(self.pick(self.rows))
-        chosen = self._fitted.get(self._chosen)
-        self._fitted = {} if chosen is None else {self._chosen: chosen}  # frees the others
-        return self
 
     @property
     def settings(self) -> Settings:

@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike
 
+from silpose.core.known_results import KnownResults
 from silpose.core.parallel import parallel_map
 from silpose.core.parameters import NOT_NEGATIVE, check_values
 from silpose.core.types import Examples, Row, Settings
@@ -96,6 +97,7 @@ def choose_regressors(
     *,
     units: ArrayLike | None = None,
     groups: Sequence[str] | None = None,
+    known: KnownResults | None = None,
 ) -> ChosenRegressors:
     """Fit every method to all training takes, with the settings best on held-out takes.
 
@@ -116,6 +118,8 @@ def choose_regressors(
         One unit of error in each output, for the SVM's tube.
     groups : sequence of str, optional
         Group of each training take; without validation takes, each group is held out once.
+    known : KnownResults, optional
+        Scores on the same takes, with the same error, from runs before.
 
     Returns
     -------
@@ -132,7 +136,7 @@ def choose_regressors(
     """
     check_methods(methods)
     candidates = _without_idle_widths(candidates)
-    held_out = HeldOut(candidates.basis, error, train, validation, groups)
+    held_out = HeldOut(candidates.basis, error, train, validation, groups, known)
     ridge = _ridge(held_out, candidates)
     basis = {name: ridge.settings[name] for name in candidates.basis.names("width")}
     svm = candidates.svm if units is None else candidates.svm.with_parameters(units=units)

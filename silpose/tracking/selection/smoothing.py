@@ -105,7 +105,13 @@ def choose_smoothing_baselines(
     return {
         method: make(
             final,
-            **selection.choose(method, settings, partial(_score, make, selection.space), fitted),
+            **selection.choose(
+                method,
+                settings,
+                partial(_score, make, selection.space),
+                fitted,
+                depends_on=(ridge, dynamics),
+            ),
         )
         for method, (settings, make) in methods.items()
     }

@@ -59,9 +59,16 @@ def choose_shares(
                 lambda: _recorded(selection, method, settings, known, _tracked(fit, fitted())),
             )
         return known
-    tracked = _tracked(fit, fitted())
-    shares = stacked_shares(tracked) | known
-    selection.record_error(method, _recorded(selection, method, settings, shares, tracked))
+
+    def stacked() -> dict[str, Any]:
+        tracked = _tracked(fit, fitted())
+        shares = stacked_shares(tracked) | known
+        return {"shares": shares, "row": _row(selection.space, method, settings, shares, tracked)}
+
+    found = selection.known.recall(stacked, method, "shares", tracker, settings)
+    selection.rows.append(found["row"])
+    selection.record_error(method, found["row"])
+    shares: dict[str, float] = found["shares"]
     return shares
 
 
@@ -114,10 +121,19 @@ def _recorded(
     tracked: Sequence[FittedFold[Parts]],
 ) -> Row:
     """Account for the error that the shares leave on held-out takes."""
-    (row,) = search(
-        partial(_score, selection.space), tracked, [{**settings, **shares}], method=method
-    )
+    row = _row(selection.space, method, settings, shares, tracked)
     selection.rows.append(row)
+    return row
+
+
+def _row(
+    space: PoseSpace,
+    method: str,
+    settings: Settings,
+    shares: dict[str, float],
+    tracked: Sequence[FittedFold[Parts]],
+) -> Row:
+    (row,) = search(partial(_score, space), tracked, [{**settings, **shares}], method=method)
     return row
 
 

@@ -9,6 +9,7 @@ from typing import Any, Generic, Literal, TypeVar
 
 import numpy as np
 
+from silpose.core.known_results import KnownResults
 from silpose.core.parallel import parallel_map
 from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array, Examples, Row, Settings
@@ -53,6 +54,8 @@ class TrackerSelection:
         Frame rate of all takes.
     groups : sequence of str or None, default=None
         Group of each training take; one group is left out at a time.
+    known : KnownResults
+        Scores from runs before.
     rows : list of dict
         Settings with ``method`` and ``validation_error``.
     """
@@ -62,9 +65,13 @@ class TrackerSelection:
     space: PoseSpace
     frames_per_second: float
     groups: Sequence[str] | None = None
+    known: KnownResults = field(default_factory=KnownResults)
     rows: list[Row] = field(default_factory=list)
 
     def __post_init__(self) -> None:
+        self.known = self.known.depending_on(
+            self.train, self.validation, self.groups, self.space, self.frames_per_second
+        )
         self._errors: dict[str, float] = {}
         self._unscored: dict[str, Callable[[], Row]] = {}
 
@@ -98,6 +105,7 @@ class TrackerSelection:
         *,
         fitted_once: Sequence[str] = (),
         prefer: Literal["processes", "threads"] = "threads",
+        depends_on: Sequence[Any] = (),
     ) -> dict[str, Any]:
         """Choose the setting of least error; of a single setting, it is not computed.
 
@@ -111,17 +119,22 @@ class TrackerSelection:
             Returns the folds that the scorer takes.
         fitted_once, prefer
             As of `silpose.regression.search`.
+        depends_on : sequence, default=()
+            All that scores depend on, besides the takes, the settings and what the scorer names.
 
         Returns
         -------
         setting : dict
         """
 
-        def chosen() -> Row:
-            rows = search(
+        def scored() -> list[Row]:
+            return search(
                 scorer, fitted(), settings,
                 method=method, fitted_once=fitted_once, description=method, prefer=prefer,
             )  # fmt: skip
+
+        def chosen() -> Row:
+            rows: list[Row] = self.known.recall(scored, method, settings, scorer, depends_on)
             self.rows += rows
             return best(rows)
 

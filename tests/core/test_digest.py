@@ -1,6 +1,6 @@
 import os
 
-from silpose.model import digest
+from silpose.core.digest import digest
 
 
 def test_settings_and_files_make_the_name(tmp_path):

@@ -1,0 +1,132 @@
+"""Results that a folder holds from one run to the next, named by all that they depend on."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from functools import cache, partial
+from pathlib import Path
+from types import FunctionType
+from typing import Any, Self
+
+import numpy as np
+from sklearn.base import BaseEstimator
+
+from silpose.core.atomic_files import writing
+from silpose.core.digest import digest
+from silpose.core.one_builder import one_builder
+from silpose.core.pose_space import PoseSpace
+
+
+@dataclass(frozen=True)
+class KnownResults:
+    """Plain values that were computed before, one file each.
+
+    Attributes
+    ----------
+    folder : Path or None, default=None
+        Without one, everything is computed whenever it is asked for.
+    given : str, default=""
+        Name of what all results depend on, such as the data.
+    """
+
+    folder: Path | None = None
+    given: str = ""
+
+    def depending_on(self, *more: Any) -> Self:
+        """Return the same for results that depend on more: see `described`.
+
+        On what cannot be described, such as a generator of random numbers, nothing is remembered.
+        """
+        if self.folder is None:
+            return self
+        try:
+            return type(self)(self.folder, digest([self.given, *map(described, more)]))
+        except TypeError:
+            return type(self)()
+
+    def recall(self, compute: Callable[[], Any], *depends_on: Any) -> Any:
+        """Return what is known, or compute it, and know it from now on.
+
+        Parameters
+        ----------
+        compute : callable
+            Returns numbers, texts, lists and mappings of these.
+        *depends_on
+            All that the result depends on, besides the package's own code: see `described`.
+
+        Raises
+        ------
+        InputError
+            If the folder cannot be written to.
+        """
+        known = self if self.folder is None else self.depending_on(_code(), *depends_on)
+        if known.folder is None:
+            return compute()
+        file = known.folder / f"{known.given}.json"
+        with one_builder(file):
+            try:
+                if file.is_file():
+                    return json.loads(file.read_text())
+            except (OSError, ValueError) as error:
+                warnings.warn(f"'{file}' is damaged ({error}): it is made anew", stacklevel=2)
+            result = compute()
+            with writing(file) as temporary:
+                temporary.write_text(json.dumps(result, default=_plain))
+            return json.loads(file.read_text())  # now and later the same, to the last digit
+
+
+def described(thing: Any) -> Any:
+    """Describe what a result depends on by plain values.
+
+    Parameters
+    ----------
+    thing : plain value, array, function, estimator, pose space, dataclass, or collection of these
+        Of a function the name counts, of an estimator its parameters and not what was fitted.
+
+    Raises
+    ------
+    TypeError
+        If it is none of these, so that nothing is left out by mistake.
+    """
+    if thing is None or isinstance(thing, bool | int | float | str):
+        return thing
+    if isinstance(thing, np.generic):
+        return thing.item()
+    if isinstance(thing, np.ndarray):
+        content = hashlib.sha256(np.ascontiguousarray(thing).data).hexdigest()
+        return [str(thing.dtype), list(thing.shape), content]
+    if isinstance(thing, partial):
+        return ["partial", described(thing.func), described(thing.args), described(thing.keywords)]
+    if isinstance(thing, FunctionType):
+        if thing.__closure__ or "<lambda>" in thing.__qualname__:
+            raise TypeError(f"{thing.__qualname__} may depend on anything")
+        return f"{thing.__module__}.{thing.__qualname__}"
+    if isinstance(thing, PoseSpace):
+        return thing.name
+    if isinstance(thing, BaseEstimator):
+        return [type(thing).__qualname__, described(thing.get_params(deep=False))]
+    if is_dataclass(thing) and not isinstance(thing, type):
+        own = {each.name: getattr(thing, each.name) for each in fields(thing)}
+        return [type(thing).__qualname__, described(own)]
+    if isinstance(thing, Mapping):
+        return {str(key): described(value) for key, value in thing.items()}
+    if isinstance(thing, Sequence):
+        return [described(each) for each in thing]
+    raise TypeError(f"cannot tell what {type(thing).__qualname__} depends on")
+
+
+@cache
+def _code() -> str:
+    """Name the package's own code: whoever changes it wants other results."""
+    files = sorted(Path(__file__).parents[1].rglob("*.py"))
+    return digest([hashlib.sha256(file.read_bytes()).hexdigest() for file in files])
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.generic):
+        return value.item()
+    raise TypeError(f"{type(value).__qualname__} is no plain value")

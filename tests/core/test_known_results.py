@@ -1,0 +1,115 @@
+import json
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+
+import numpy as np
+import pytest
+
+from silpose.core import known_results
+from silpose.core.errors import InputError
+from silpose.core.known_results import KnownResults, described
+from silpose.core.pose_space import ANGLES
+from silpose.regression import Basis, Candidates, RidgeRegressor
+
+
+class Counted:
+    """A computation, and how often it was done."""
+
+    def __init__(self, result):
+        self.result, self.times = result, 0
+
+    def __call__(self):
+        self.times += 1
+        return self.result
+
+
+def test_what_was_computed_once_is_known(tmp_path):
+    rows = Counted([{"method": "ridge", "width": np.float64(0.1), "nu": None, "error": 1 / 3}])
+    known = KnownResults(tmp_path)
+    first = known.recall(rows, "ridge", np.arange(3))
+    assert known.recall(rows, "ridge", np.arange(3)) == first == rows.result
+    assert rows.times == 1
+
+
+def test_without_a_folder_nothing_is_remembered():
+    rows = Counted([1])
+    assert [KnownResults().recall(rows, "a") for _ in range(2)] == [[1], [1]]
+    assert rows.times == 2
+
+
+def same(z):
+    return z
+
+
+def other(z):
+    return z
+
+
+@pytest.mark.parametrize(
+    ("one", "another"),
+    [
+        (np.arange(3.0), np.arange(3)),
+        (np.arange(4.0), np.arange(4.0).reshape(2, 2)),
+        (RidgeRegressor(), RidgeRegressor(damping=2.0)),
+        (RidgeRegressor(Basis(width=1.0)), RidgeRegressor(Basis(width=2.0))),
+        (Candidates(Basis(), {"width": [1.0]}), Candidates(Basis(), {"width": [1.0, 2.0]})),
+        (partial(same, 1), partial(same, 2)),
+        (partial(same, 1), partial(other, 1)),
+        ({"a": None}, {"a": 0}),
+        ([1, 2], [2, 1]),
+        (ANGLES, "other"),
+    ],
+)
+def test_whatever_changes_is_another_result(tmp_path, one, another):
+    assert described(one) != described(another)
+    known = KnownResults(tmp_path)
+    assert known.recall(lambda: 1, one) == 1
+    assert known.recall(lambda: 2, another) == 2
+    assert known.depending_on("data").recall(lambda: 3, one) == 3
+
+
+def test_what_was_fitted_does_not_count():
+    z = np.random.default_rng(0).dirichlet(np.ones(4), 20)
+    assert described(RidgeRegressor().fit(z, z)) == described(RidgeRegressor())
+
+
+def test_other_code_has_other_results(tmp_path, monkeypatch):
+    known = KnownResults(tmp_path)
+    assert known.recall(lambda: 1, "a") == 1
+    monkeypatch.setattr(known_results, "_code", lambda: "changed")
+    assert known.recall(lambda: 2, "a") == 2
+
+
+def test_what_cannot_be_described_is_computed_each_time(tmp_path):
+    known, rows = KnownResults(tmp_path), Counted([1])
+    for thing in (np.random.default_rng(0), lambda: None, object()):
+        with pytest.raises(TypeError):
+            described(thing)
+        known.recall(rows, thing)
+        known.depending_on(thing).recall(rows, "a")
+    assert rows.times == 6
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_damaged_file_is_named_and_made_anew(tmp_path):
+    known = KnownResults(tmp_path)
+    known.recall(lambda: [1], "a")
+    (file,) = tmp_path.glob("*.json")
+    file.write_text(file.read_text()[:1])
+    with pytest.warns(UserWarning, match=r"is damaged .* made anew"):
+        assert known.recall(lambda: [2], "a") == [2]
+    assert json.loads(file.read_text()) == [2]
+
+
+def test_of_two_at_once_one_computes(tmp_path):
+    rows = Counted([1])
+    known = KnownResults(tmp_path)
+    with ThreadPoolExecutor(4) as threads:
+        assert list(threads.map(lambda _: known.recall(rows, "a"), range(8))) == [[1]] * 8
+    assert rows.times == 1
+
+
+def test_a_folder_that_cannot_be_made_is_named(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match=r"choose another dataset\.cache"):
+        KnownResults(tmp_path / "file" / "cache").recall(lambda: 1, "a")
