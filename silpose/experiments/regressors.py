@@ -20,7 +20,7 @@ from silpose.model import DescribedDataset, compare
 from silpose.recording import Recording, Result, palette, record_study
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import styled
-from silpose.regression import RegressionCandidates, check_methods
+from silpose.regression import Candidates, RegressionCandidates, Regressor, check_methods
 
 BODY = "body"
 
@@ -34,8 +34,9 @@ def regressors(
 ) -> Result:
     """Compare methods on linear and kernel bases by body part, then kernels and widths.
 
-    An RVM is trained for each part; the outputs of the other methods do not depend on each
-    other, so that a part of the whole body's regressor is the part's own.
+    An RVM is trained for each part, with ν chosen for it, on the basis chosen for the whole body.
+    The outputs of the other methods do not depend on each other, so that a part of the whole
+    body's regressor is the part's own.
 
     Parameters
     ----------
@@ -63,7 +64,8 @@ def regressors(
             name = f"{method} {basis}" if method in methods else method
             series[name] = space.distance(take.x, estimated[: len(take)])
             metrics[name] = measured[method]
-        rows += _by_part(described, candidates, basis, methods, estimates, measured)
+        same = _with_basis(candidates, chosen.regressors[methods[0]])
+        rows += _by_part(described, same, basis, methods, estimates, measured)
     with stage("kernels"):
         rows += _by_kernel(described, components.regression, kernels, widths)
     record = partial(
@@ -85,6 +87,17 @@ def regressors(
 def _bases(candidates: RegressionCandidates) -> dict[str, RegressionCandidates]:
     linear = candidates.basis.with_parameters(kernel=None, linear=True)
     return {"linear": replace(candidates, basis=linear), "kernel": candidates}
+
+
+def _with_basis(candidates: RegressionCandidates, chosen: Regressor) -> RegressionCandidates:
+    """Keep the basis that was chosen, and choose no damping, which RVMs do not have."""
+    assert chosen.basis is not None
+    damping = candidates.ridge.values("damping")[0]
+    return replace(
+        candidates,
+        basis=Candidates(chosen.basis),
+        ridge=candidates.ridge.with_parameters(damping=damping),
+    )
 
 
 def _by_part(

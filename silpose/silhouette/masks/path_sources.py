@@ -22,7 +22,7 @@ from silpose.silhouette.masks.natural_order import in_natural_order
 from silpose.silhouette.masks.other_formats import why_no_masks, why_not_read
 from silpose.silhouette.masks.picture import Picture
 from silpose.silhouette.masks.video_files import VIDEOS, read_video
-from silpose.silhouette.masks.yolo import LABELS, is_yolo, read_yolo, yolo_files
+from silpose.silhouette.masks.yolo import LABELS, is_yolo, labels_of, read_yolo, yolo_files
 
 _SAMPLE = 5  # files of a kind that are looked at
 
@@ -104,8 +104,12 @@ def _find_folder(folder: Path, options: MaskSource) -> Found:
     if texts and not (chosen.files and _are_masks(chosen.files, options)):
         ignored = tuple(f"{file.name}: the picture of a text" for file in chosen.files)
         return Found(Animation(read_yolo(texts)), name, ignored)
-    if not chosen.files and (texts := yolo_files(labels := folder / LABELS)):
-        return Found(Animation(read_yolo(texts)), name, notes=(f"the masks are in '{labels}'",))
+    for labels in (folder / LABELS, labels_of(folder)):
+        if labels is None or not (texts := yolo_files(labels)):
+            continue
+        if not (chosen.files and _are_masks(chosen.files, options)):
+            note = f"the masks are in '{labels}'"
+            return Found(Animation(read_yolo(texts)), name, notes=(note,))
     if chosen.files:
         return Found(_read_all(chosen.files), name, chosen.ignored, chosen.doubts)
     alone = [

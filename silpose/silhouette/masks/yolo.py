@@ -79,6 +79,20 @@ def read_yolo(files: Sequence[Path]) -> list[Picture]:
     return pictures_of_records(content, f"'{files[0].parent}'")[0]
 
 
+def labels_of(folder: Path) -> Path | None:
+    """Return the folder of the texts that belong to a folder of images, if its path names one."""
+    return _beside(folder, _PICTURES, LABELS)
+
+
+def _beside(folder: Path, own: str, other: str) -> Path | None:
+    """Replace the last part of a path that has one name by another, as YOLO does."""
+    parts = list(folder.absolute().parts)
+    if own not in parts:
+        return None
+    parts[len(parts) - 1 - parts[::-1].index(own)] = other
+    return Path(*parts)
+
+
 def _people(file: Path) -> list[list[float]]:
     found = []
     for number, line in enumerate(file.read_text(encoding="latin-1").splitlines(), 1):
@@ -101,10 +115,8 @@ def _people(file: Path) -> list[list[float]]:
 def _size(file: Path) -> tuple[int, int]:
     """Width and height of the image that a text belongs to."""
     folders = [file.parent]
-    parts = list(file.parent.parts)
-    if LABELS in parts:
-        place = len(parts) - 1 - parts[::-1].index(LABELS)
-        folders.append(Path(*parts[:place], _PICTURES, *parts[place + 1 :]))
+    if beside := _beside(file.parent, LABELS, _PICTURES):
+        folders.append(beside)
     for folder in folders:
         for suffix in IMAGES:
             for name in (file.stem + suffix, file.stem + suffix.upper()):

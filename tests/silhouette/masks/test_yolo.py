@@ -36,6 +36,18 @@ def test_people_are_drawn_at_the_size_of_their_pictures(dataset):
     assert len(read_masks(dataset / "labels" / "2.txt")) == 1
 
 
+def test_from_the_pictures_the_way_to_the_texts_is_found(dataset):
+    expected = read_masks(dataset / "labels").masks
+    masks = read_masks(dataset / "images")
+    np.testing.assert_array_equal(masks.masks, expected)
+    assert masks.notes == (f"the masks are in '{dataset / 'labels'}'",)
+    for folder in ("labels", "images"):  # as it is where there are several splits
+        (dataset / folder).rename(dataset / "train")
+        (dataset / folder).mkdir()
+        (dataset / "train").rename(dataset / folder / "train")
+    np.testing.assert_array_equal(read_masks(dataset / "images" / "train").masks, expected)
+
+
 def test_pictures_may_be_beside_the_texts_but_masks_go_first(dataset):
     expected = read_masks(dataset).masks
     for name in PEOPLE:
