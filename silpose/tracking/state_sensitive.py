@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from math import ceil
 from typing import ClassVar, Self
 
@@ -130,7 +131,8 @@ class StateSensitiveRegressor(BaseEstimator):
         self.centres_x_, self.centres_z_ = standard[chosen], roots[chosen]
         self.beta_x_ = self.pose_width / max(2 * standard.var(axis=0).sum(), 1e-12)
         self.beta_z_ = self.descriptor_width / max(2 * roots.var(axis=0).sum(), 1e-12)
-        kernels = self._kernels(state, roots)
+        self.__dict__.pop("_scaled_centres", None)  # of another fit
+        kernels = _kernels(self._scaled(state, roots), self._scaled_centres)
         features = kernels if self.linear is not None else np.hstack([kernels, state])
         target = standard if self.linear is None else standard - self.linear * state
         system = NormalEquations.of(features, target)
@@ -140,6 +142,7 @@ class StateSensitiveRegressor(BaseEstimator):
         some = system.restrict(np.concatenate([kept, others]))
         self.coef_, self.intercept_ = some.unscaled(some.solve(self.damping), slice(None))
         self.centres_x_, self.centres_z_ = self.centres_x_[kept], self.centres_z_[kept]
+        del self._scaled_centres
         self.kept_ = len(kept) / len(chosen)
         return self
 
@@ -160,7 +163,8 @@ class StateSensitiveRegressor(BaseEstimator):
         """Estimate as `predict` does; return the kernels K_x K_z of Eq. 10, shape (n, k), too."""
         check_is_fitted(self)
         state = self._standard(predicted)
-        kernels = self._kernels(state, np.sqrt(np.asarray(z, dtype=float)))
+        scaled = self._scaled(state, np.sqrt(np.asarray(z, dtype=float)))
+        kernels = _kernels(scaled, self._scaled_centres)
         if self.linear is None:
             estimated = np.hstack([kernels, state]) @ self.coef_ + self.intercept_
         else:
@@ -180,13 +184,20 @@ class StateSensitiveRegressor(BaseEstimator):
     def _standard(self, x: ArrayLike) -> Array:
         return (np.asarray(x, dtype=float) - self.mean_) / self.scale_
 
-    def _kernels(self, state: Array, roots: Array) -> Array:
-        on_x, on_z = np.sqrt([self.beta_x_, self.beta_z_])
-        exponent = squared_distances(
-            np.hstack([on_x * state, on_z * roots]),
-            np.hstack([on_x * self.centres_x_, on_z * self.centres_z_]),
-        )
-        return np.exp(np.negative(exponent, out=exponent), out=exponent)
+    @cached_property
+    def _scaled_centres(self) -> tuple[Array, Array]:
+        """Centres and their squared lengths, which take longer than the kernels of a frame."""
+        scaled = self._scaled(self.centres_x_, self.centres_z_)
+        return scaled, (scaled**2).sum(axis=1)
+
+    def _scaled(self, state: Array, roots: Array) -> Array:
+        """Put poses and roots of descriptors side by side, so that distances are exponents."""
+        return np.hstack([np.sqrt(self.beta_x_) * state, np.sqrt(self.beta_z_) * roots])
+
+
+def _kernels(scaled: Array, centres: tuple[Array, Array]) -> Array:
+    exponent = squared_distances(scaled, *centres)
+    return np.exp(np.negative(exponent, out=exponent), out=exponent)
 
 
 def observed_and_sampled(
