@@ -127,9 +127,8 @@ class KeyPoseTracker(Tracker[Run]):
     ) -> tuple[Array, Array]:
         """Estimate poses as `regress` does; return the parts that `track_separately` does."""
         own, seen = self.examples_, ~comparison.blank
-        rows = zip(weights, comparison.descriptors, strict=True)
-        local = np.array(
-            [regress_locally(w, own.poses, own.descriptors, z, self.damping) for w, z in rows]
+        local = regress_locally(
+            weights, own.poses, own.descriptors, comparison.descriptors, self.damping
         )
         alone, distances = self.silhouette_alone_, comparison.distances[seen]
         change = np.zeros_like(local)

@@ -7,43 +7,54 @@ from __future__ import annotations
 
 import numpy as np
 
-from silpose.core.types import Array
+from silpose.core.types import Array, Indices
 from silpose.tracking.key_poses import KeyExamples, KeyPoseComparison, kernel
 
+_BLOCK = 64  # frames whose examples are copied at a time
 _MOST = 64  # examples of largest weight that are regressed on; more hardly matter, but cost
 
 
 def regress_locally(
     weights: Array, poses: Array, descriptors: Array, seen: Array, damping: float
 ) -> Array:
-    """Estimate a pose by ridge regression, linear in the descriptor, around a weighted mean.
+    """Estimate poses by ridge regression, linear in the descriptor, around weighted means.
 
     Parameters
     ----------
-    weights : ndarray, shape (K,)
-        Weights of the examples, which sum to 1.
+    weights : ndarray, shape (F, K)
+        Weights of the examples in each frame, which sum to 1.
     poses, descriptors : ndarray, shapes (K, D) and (K, d)
         Examples.
-    seen : ndarray, shape (d,)
+    seen : ndarray, shape (F, d)
         Where to evaluate; with NaN, for nothing seen, the weighted mean is returned.
     damping : float
-        λ of the squared slope: the larger, the nearer the pose stays to the weighted mean.
+        λ of the squared slope: the larger, the nearer a pose stays to the weighted mean.
 
     Returns
     -------
-    pose : ndarray, shape (D,)
+    x : ndarray, shape (F, D)
     """
-    pose = weights @ poses
-    if np.isnan(seen).any():
-        return pose
-    descriptor = weights @ descriptors
-    some = np.argpartition(weights, -_MOST)[-_MOST:] if len(weights) > _MOST else slice(None)
-    root = np.sqrt(weights[some])[:, None]
-    inputs, outputs = root * (descriptors[some] - descriptor), root * (poses[some] - pose)
-    gram = inputs @ inputs.T  # fewer examples than inputs: the dual form
-    gram.flat[:: len(gram) + 1] += damping
-    change: Array = np.linalg.solve(gram, inputs @ (seen - descriptor)) @ outputs
-    return pose + change
+    x, means = weights @ poses, weights @ descriptors
+    frames = np.flatnonzero(~np.isnan(seen).any(axis=1))
+    for start in range(0, len(frames), _BLOCK):
+        own = frames[start : start + _BLOCK]
+        some = _largest(weights[own])
+        roots = np.sqrt(np.take_along_axis(weights[own], some, axis=1))[..., None]
+        inputs = roots * (descriptors[some] - means[own, None])
+        outputs = roots * (poses[some] - x[own, None])
+        gram = inputs @ inputs.mT  # fewer examples than inputs: the dual form
+        gram += damping * np.eye(gram.shape[-1])
+        along = inputs @ (seen[own] - means[own])[..., None]
+        x[own] += (np.linalg.solve(gram, along).mT @ outputs)[:, 0]
+    return x
+
+
+def _largest(weights: Array) -> Indices:
+    """Return the examples of largest weight in each frame, shape (F, k)."""
+    count = weights.shape[1]
+    if count <= _MOST:
+        return np.repeat(np.arange(count)[None], len(weights), axis=0)
+    return np.argpartition(weights, -_MOST, axis=1)[:, -_MOST:]
 
 
 def weights_around(

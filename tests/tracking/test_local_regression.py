@@ -21,7 +21,7 @@ def near(z, where):
 def test_is_exact_between_examples_of_a_linear_relation(line):
     slope, z, poses = line
     where = np.array([0.3, -0.2, 0.1, 0.4])
-    found = regress_locally(near(z, where), poses, z, where, damping=1e-9)
+    (found,) = regress_locally(near(z, where)[None], poses, z, where[None], damping=1e-9)
     assert found == pytest.approx(1 + where @ slope, abs=1e-5)
 
 
@@ -29,7 +29,8 @@ def test_is_exact_between_examples_of_a_linear_relation(line):
 def test_gives_the_believed_mean_where_z_tells_nothing(line, seen, damping):
     _, z, poses = line
     weights = near(z, np.zeros(4))
-    assert regress_locally(weights, poses, z, seen, damping) == pytest.approx(weights @ poses)
+    (found,) = regress_locally(weights[None], poses, z, seen[None], damping)
+    assert found == pytest.approx(weights @ poses)
 
 
 def test_belief_decides_between_poses_that_look_alike(line):
@@ -38,7 +39,7 @@ def test_belief_decides_between_poses_that_look_alike(line):
     both_z, both_poses = np.vstack([z, z]), np.vstack([poses, -poses])
     for believed, sign in (([1, 0], 1), ([0, 1], -1)):
         weights = np.outer(believed, near(z, where)).ravel()
-        found = regress_locally(weights, both_poses, both_z, where, 1e-9)
+        (found,) = regress_locally(weights[None], both_poses, both_z, where[None], 1e-9)
         assert found == pytest.approx(sign * (1 + where @ slope), abs=1e-5)
 
 
@@ -52,5 +53,5 @@ def test_a_rough_pose_decides_between_poses_that_look_alike():
         rough = sign * (pose[7] + rng.normal(size=3))
         weights = weights_around(rough[None], examples.compare(z[7:8]), examples, 0.5, 1.0)[0]
         assert weights.sum() == pytest.approx(1)
-        found = regress_locally(weights, *both, np.sqrt(z[7]), 1e-6)
+        (found,) = regress_locally(weights[None], *both, np.sqrt(z[7:8]), 1e-6)
         assert np.abs(found - sign * pose[7]).max() < 0.2 * np.abs(rough - sign * pose[7]).max()
