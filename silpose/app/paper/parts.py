@@ -54,7 +54,7 @@ class Part:
 
 
 PARTS = (
-    Part("fitting", fast=("hypotheses=false",)),
+    Part("fitting", overrides=("hypotheses=false",)),
     Part("regressors", on_authors=True, fast=("kernels=[gaussian]", "widths=[1,2]")),
     Part("kernel_widths", fast=("factors=[0.5,1,2]",)),
     Part("hypotheses", on_authors=True),
@@ -100,7 +100,7 @@ def _all(options: PaperOptions) -> Iterator[Part]:
         source = f"silhouette.source='{options.video}'"
         yield Part("video", "film", overrides=("silhouette=video", source))
     for part in PARTS:
-        own = (*fast, *(part.fast if options.fast else ()), *given)
+        own = (*part.overrides, *fast, *(part.fast if options.fast else ()), *given)
         for seed in range(1 if options.fast or not part.spread else options.seeds):
             yield replace(part, protocol=protocol, seed=seed, overrides=own)
         if part.on_authors and options.authors is not None:

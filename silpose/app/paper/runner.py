@@ -6,6 +6,7 @@ import warnings
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +47,13 @@ class _Run:
 
     @classmethod
     def of(cls, part: Part, root: Path) -> _Run:
-        """Compose the settings, which fails now rather than after other parts."""
+        """Compose the settings.
+
+        Raises
+        ------
+        InputError
+            If a setting does not exist.
+        """
         overrides = [
             f"experiment={part.experiment}", f"seed={part.seed}", "n_jobs=1", *part.overrides,
             f"dataset.cache='{root / 'descriptors'}'",
@@ -59,13 +66,33 @@ class _Run:
     def name(self) -> str:
         return f"{self.part.name}/{self.part.experiment}"
 
-    def finished(self) -> FinishedRun | None:
+    def result(self) -> FinishedRun | None:
         """Read what this run left, if it came to its end with the same settings."""
         try:
             run = load_run(self.folder)
         except InputError:
             return None
         return run if _results_of(run.config) == _results_of(self.settings) else None
+
+
+@dataclass(frozen=True)
+class _Done:
+    """What became of a part.
+
+    Attributes
+    ----------
+    part : Part
+    name : str
+    result : FinishedRun or None
+        None if it failed,
+    reason : str
+        and why.
+    """
+
+    part: Part
+    name: str
+    result: FinishedRun | None
+    reason: str = ""
 
 
 def run_paper(options: PaperOptions, *, n_jobs: int = -1) -> PaperReport:
@@ -88,31 +115,32 @@ def run_paper(options: PaperOptions, *, n_jobs: int = -1) -> PaperReport:
         If an option or a setting does not exist.
     """
     root = Path(options.root).absolute() / (options.name or ("fast" if options.fast else "whole"))
-    runs = [_Run.of(part, root) for part in parts_of(options)]
-    left = [run for run in runs if run.finished() is None]
-    failed = {}
+    parts = parts_of(options)
+    _Run.of(parts[0], root)  # a setting that does not exist fails now, not in each of them
     with parallel_config(n_jobs=n_jobs):
-        for name, reason in parallel_stream(_do, left, description="parts of the paper"):
-            if reason:
-                failed[name] = reason
-    found, seconds = _results(runs)
+        stream = parallel_stream(partial(_do, root), parts, description="parts of the paper")
+        done = sorted(stream, key=lambda own: parts.index(own.part))
+    found, seconds = _results(done)
+    failed = {own.name: own.reason for own in done if own.result is None}
     report = PaperReport(found, seconds, failed, root, _FAST if options.fast else "")
     root.mkdir(parents=True, exist_ok=True)
     write_paper(report)
     return report
 
 
-def _do(run: _Run) -> tuple[str, str]:
-    """Run a part, in whatever process this is; its name, and why it failed if it did."""
+def _do(root: Path, part: Part) -> _Done:
+    """Run a part that is not finished, in whatever process this is."""
     from silpose.app.failures import sentence
 
+    run = _Run.of(part, root)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # the parts share their data's doubts
-            run_experiment(run.overrides)
+        if run.result() is None:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", UserWarning)  # parts share their data's doubts
+                run_experiment(run.overrides)
     except Exception as error:
-        return run.name, sentence(error).removeprefix("silpose: ")
-    return run.name, ""
+        return _Done(part, run.name, None, sentence(error).removeprefix("silpose: "))
+    return _Done(part, run.name, run.result(), "it left no result")
 
 
 def _results_of(settings: str) -> dict[str, Any]:
@@ -122,14 +150,14 @@ def _results_of(settings: str) -> dict[str, Any]:
     return {name: value for name, value in own.items() if name not in _ELSEWHERE}
 
 
-def _results(runs: Sequence[_Run]) -> tuple[dict[str, dict[str, Found]], dict[str, float]]:
+def _results(done: Sequence[_Done]) -> tuple[dict[str, dict[str, Found]], dict[str, float]]:
     """Gather what finished parts found, by protocol and experiment, and their seconds."""
     by_protocol: dict[str, dict[str, list[FinishedRun]]] = defaultdict(lambda: defaultdict(list))
     seconds = {}
-    for run in runs:
-        if (finished := run.finished()) is not None:
-            by_protocol[run.part.protocol][run.part.experiment].append(finished)
-            seconds[run.name] = sum(finished.seconds.values())
+    for own in done:
+        if own.result is not None:
+            by_protocol[own.part.protocol][own.part.experiment].append(own.result)
+            seconds[own.name] = sum(own.result.seconds.values())
     found = {
         protocol: {name: Found(own) for name, own in by_experiment.items()}
         for protocol, by_experiment in by_protocol.items()
