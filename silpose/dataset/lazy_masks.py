@@ -1,9 +1,10 @@
-"""Masks that are rendered when they are asked for, for more of them than fit into memory."""
+"""Masks that are rendered when they are asked for: perhaps never, or not all at a time."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +17,7 @@ from silpose.silhouette import Body, Camera, Degrader, render
 Masks = NDArray[np.uint8]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LazyMasks:
     """The masks of a take; index or iterate over them as over an array (F, H, W).
 
@@ -34,6 +35,8 @@ class LazyMasks:
         From a mask and its frame to the degraded mask.
     frames : ndarray of int, shape (F,), or None, default=None
         Numbers of these frames in the take; None for all frames.
+    held : bool, default=False
+        Whether they stay in memory once all of them were asked for.
     """
 
     take: str
@@ -43,16 +46,27 @@ class LazyMasks:
     offset: Array
     degrade: Degrader | None = None
     frames: Indices | None = None
+    held: bool = False
 
     def __len__(self) -> int:
         return len(self.x)
 
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        """(F, H, W)."""
+        return len(self), self.camera.height, self.camera.width
+
     def __getitem__(self, frames: int | np.integer | slice) -> Masks:
-        if isinstance(frames, slice):
-            return np.stack(list(self.part(frames)))
-        return next(iter(self.part(slice(frames, frames + 1 or None))))
+        if not isinstance(frames, slice):
+            return next(iter(self.part(slice(frames, frames + 1 or None))))
+        if self.held and len(range(*frames.indices(len(self)))) == len(self):
+            return self._all[frames]
+        return np.stack(list(self.part(frames)))
 
     def __iter__(self) -> Iterator[Masks]:
+        return iter(self._all) if self.held else self._rendered()
+
+    def _rendered(self) -> Iterator[Masks]:
         rotations = ANGLES.rotations(self.x)
         masks = render(self.body, self.camera, rotations, self.offset)
         for frame, mask in zip(self._frames, masks, strict=True):
@@ -64,13 +78,18 @@ class LazyMasks:
             yield mask if self.degrade is None else self.degrade(mask, frame)
 
     def __array__(self, dtype: object = None, copy: object = None) -> Masks:
-        return np.stack(list(self))
+        return self._all if self.held else np.stack(list(self))
 
-    def part(self, frames: slice | Indices) -> LazyMasks:
-        """Masks of some frames, not rendered yet."""
-        return replace(
-            self, x=self.x[frames], offset=self.offset[frames], frames=self._frames[frames]
-        )
+    def part(self, frames: slice | Indices) -> LazyMasks | Masks:
+        """Masks of some frames, not rendered unless they are held already."""
+        if "_all" in self.__dict__:
+            return self._all[frames]
+        part = replace(self, x=self.x[frames], offset=self.offset[frames], held=False)
+        return replace(part, frames=self._frames[frames])
+
+    @cached_property
+    def _all(self) -> Masks:
+        return np.stack(list(self._rendered()))
 
     @property
     def _frames(self) -> Indices:

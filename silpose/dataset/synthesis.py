@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from silpose.motion import Motion, MotionSource
 from silpose.silhouette import Body, Camera, Degradation, Degrader
 
 HELD = 2**28
-"""Memory limit for training masks, bytes; beyond it they are rendered lazily."""
+"""Memory limit for training masks, bytes; beyond it they are rendered whenever asked for."""
 
 
 def render_take(
@@ -26,6 +27,7 @@ def render_take(
     *,
     name: str | None = None,
     degrade: Degrader | None = None,
+    now: bool = True,
     held: bool = True,
     advance: Callable[[int], None] = lambda frames: None,
 ) -> Take:
@@ -40,8 +42,10 @@ def render_take(
         Name of the take, by default the motion's.
     degrade : callable, optional
         From a mask and its frame to the degraded mask.
+    now : bool, default=True
+        Whether masks are rendered now, rather than when they are asked for.
     held : bool, default=True
-        Whether masks are rendered now and held in memory, rather than when they are asked for.
+        Whether they then stay in memory, which all that are rendered now do.
     advance : callable, optional
         Called with 1 after every rendered mask.
 
@@ -58,11 +62,11 @@ def render_take(
     seconds = np.arange(len(motion)) / motion.frames_per_second
     offset, heading = camera.place(motion.root_position, motion.angles[:, 0], seconds)
     x = ANGLES.from_angles(np.column_stack([heading, motion.angles[:, 1:]]))
-    lazy = LazyMasks(motion.name, body, camera, x, offset, degrade)
+    lazy = LazyMasks(motion.name, body, camera, x, offset, degrade, held=held)
     masks: np.ndarray | LazyMasks = lazy
-    if held:
+    if now:
         masks = np.empty((len(motion), camera.height, camera.width), np.uint8)
-        for frame, mask in enumerate(lazy):
+        for frame, mask in enumerate(replace(lazy, held=False)):
             masks[frame] = mask
             advance(1)
     return Take(
@@ -129,31 +133,28 @@ class Renderer:
         Returns
         -------
         train, validation, test : list of Take
-            The masks of training are lazy where they would need more memory than `HELD`.
+            The masks of training are rendered when they are first asked for, since descriptors
+            may be known; they stay in memory unless they need more than `HELD`.
         """
         frames = sum(len(scene.motion) for scene in train)
         held = frames * self.camera.height * self.camera.width <= HELD
         eager = [*validation, *test]
-        total = frames * held + sum(len(scene.motion) for scene in eager)
         hurt = self.degradation
-        with bar("masks", total) as advance:
+        with bar("masks", sum(len(scene.motion) for scene in eager)) as advance:
             return (
-                [self._render(scene, hurt.train, held, advance) for scene in train],
-                [self._render(scene, hurt.train, True, advance) for scene in validation],
-                [self._render(scene, hurt.test, True, advance) for scene in test],
+                [self._render(scene, hurt.train, now=False, held=held) for scene in train],
+                [self._render(scene, hurt.train, advance=advance) for scene in validation],
+                [self._render(scene, hurt.test, advance=advance) for scene in test],
             )
 
-    def _render(
-        self, scene: Scene, kinds: Sequence[str], held: bool, advance: Callable[[int], None]
-    ) -> Take:
+    def _render(self, scene: Scene, kinds: Sequence[str], **how: Any) -> Take:
         return render_take(
             scene.motion,
             scene.body,
             scene.camera,
             name=scene.name,
             degrade=self.degradation.degrader(kinds, scene.name),
-            held=held,
-            advance=advance,
+            **how,
         )
 
     def rerender(self, takes: Sequence[Take], scenes: SceneSampler) -> list[Take]:

@@ -13,7 +13,7 @@ BODY, CAMERA = Body(level=2), Camera(width=48, height=48)
 @pytest.fixture(scope="module")
 def held_and_lazy():
     one = motion("walk", 20)
-    return (render_take(one, BODY, CAMERA, held=held).masks for held in (True, False))
+    return (render_take(one, BODY, CAMERA, now=now, held=now).masks for now in (True, False))
 
 
 def test_lazy_masks_are_the_same_as_held_ones(held_and_lazy):
@@ -33,10 +33,12 @@ def test_a_part_is_degraded_by_its_frames_in_the_take():
         frames.append(int(frame))
         return 1 - mask
 
-    masks = render_take(motion("walk", 9), BODY, CAMERA, held=False, degrade=degrade).masks
+    masks = render_take(
+        motion("walk", 9), BODY, CAMERA, now=False, held=False, degrade=degrade
+    ).masks
     inverted = masks[3:8:2]
     assert frames == [3, 5, 7]
-    whole = render_take(motion("walk", 9), BODY, CAMERA).masks
+    whole = render_take(walk, BODY, CAMERA).masks
     np.testing.assert_array_equal(inverted, 1 - whole[3:8:2])
 
 
@@ -45,6 +47,25 @@ def test_a_person_out_of_sight_is_reported():
     far = Motion("far", "p", 15.0, np.zeros((2, 54)), walked)
     with pytest.raises(InputError, match="frame 0 of take 'far' is out of the camera's sight"):
         render_take(far, BODY, Camera(follow=False))
-    lazy = render_take(far, BODY, Camera(follow=False), held=False).masks
+    lazy = render_take(far, BODY, Camera(follow=False), now=False).masks
     with pytest.raises(InputError, match="frame 1 of take 'far'"):
         lazy[1]
+
+
+def test_those_that_are_held_are_rendered_once_and_only_if_all_are_asked_for():
+    frames = []
+
+    def degrade(mask, frame):
+        frames.append(int(frame))
+        return mask
+
+    masks = render_take(motion("walk", 6), BODY, CAMERA, now=False, degrade=degrade).masks
+    assert masks.shape == (6, 48, 48)
+    assert masks[2].any() and len(masks[1:3]) == 2
+    assert frames == [2, 1, 2]
+    frames.clear()
+    whole = np.concatenate([masks])
+    assert len(list(masks)) == len(masks[::2]) * 2 == 6
+    np.testing.assert_array_equal(masks.part(np.array([1, 4])), whole[[1, 4]])
+    np.testing.assert_array_equal(masks[4], whole[4])
+    assert frames == [*range(6)]

@@ -13,7 +13,7 @@ def takes(body, camera):
     motions = [
         motion(name, frames, seed=frames) for name, frames in (("a", 30), ("b", 7), ("c", 20))
     ]
-    return [render_take(own, body, camera, held=False) for own in motions]
+    return [render_take(own, body, camera, now=False, held=False) for own in motions]
 
 
 @pytest.fixture(scope="module")
