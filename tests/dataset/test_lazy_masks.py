@@ -33,9 +33,8 @@ def test_a_part_is_degraded_by_its_frames_in_the_take():
         frames.append(int(frame))
         return 1 - mask
 
-    masks = render_take(
-        motion("walk", 9), BODY, CAMERA, now=False, held=False, degrade=degrade
-    ).masks
+    walk = motion("walk", 9)
+    masks = render_take(walk, BODY, CAMERA, now=False, held=False, degrade=degrade).masks
     inverted = masks[3:8:2]
     assert frames == [3, 5, 7]
     whole = render_take(walk, BODY, CAMERA).masks
