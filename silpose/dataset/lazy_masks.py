@@ -17,7 +17,7 @@ from silpose.silhouette import Body, Camera, Degrader, render
 Masks = NDArray[np.uint8]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class LazyMasks:
     """The masks of a take; index or iterate over them as over an array (F, H, W).
 
@@ -47,6 +47,9 @@ class LazyMasks:
     degrade: Degrader | None = None
     frames: Indices | None = None
     held: bool = False
+
+    def __repr__(self) -> str:
+        return f"LazyMasks of '{self.take}', shape {self.shape}"
 
     def __len__(self) -> int:
         return len(self.x)

@@ -102,7 +102,8 @@ def _all(options: PaperOptions) -> Iterator[Part]:
     for part in PARTS:
         own = (*part.overrides, *fast, *(part.fast if options.fast else ()), *given)
         for seed in range(1 if options.fast or not part.spread else options.seeds):
-            yield replace(part, protocol=protocol, seed=seed, overrides=own)
+            more = ("recording=none",) if seed else ()  # whose errors are quoted, and no more
+            yield replace(part, protocol=protocol, seed=seed, overrides=(*own, *more))
         if part.on_authors and options.authors is not None:
             data = ("dataset=agarwal", f"dataset.path='{options.authors}'")
             yield replace(part, protocol="authors", overrides=data)
