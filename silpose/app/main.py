@@ -20,6 +20,8 @@ def main() -> None:
     """Run ``silpose`` from the command line; what goes wrong is one sentence."""
     os.environ["HYDRA_FULL_ERROR"] = "1"  # so that Hydra leaves its errors to us
     warnings.showwarning = lambda message, *_: print(f"silpose: {message}", file=sys.stderr)
+    # joblib starts a process anew that has grown: nothing is lost, and nothing can be done.
+    warnings.filterwarnings("ignore", "A worker stopped while some jobs")
     print_anywhere()
     try:
         _run(sys.argv[1:])
