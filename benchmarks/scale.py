@@ -1,8 +1,9 @@
 """Training from blocks on disk: python benchmarks/scale.py [--fast] [FOLDER].
 
 Time and memory with the number of frames and of basis functions, for 55 outputs: ridge and the
-RVM from sums over blocks, two workers, beside plain NumPy on the same blocks. Frames are
-walkers', described, mixed in pairs and perturbed; a million of them take 0.7 GB in FOLDER, a
+RVM from sums over blocks, two workers, beside plain NumPy on the same blocks; mixtures from the
+same blocks; and with the number of key poses, belief trackers from takes that are functions. Frames
+are walkers', described, mixed in pairs and perturbed; a million of them take 0.7 GB in FOLDER, a
 temporary one by default. With ``--fast``, a few thousand.
 """
 
@@ -10,6 +11,7 @@ import os
 import sys
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from time import perf_counter, process_time
 
@@ -19,7 +21,7 @@ from threadpoolctl import threadpool_limits
 from timing import FAST, report
 
 from silpose.core.parallel import engine
-from silpose.core.types import Array
+from silpose.core.types import Array, Examples
 from silpose.dataset import Renderer, SamePerformer
 from silpose.descriptor import ShapeContextHistogram
 from silpose.model import describe_dataset
@@ -27,29 +29,45 @@ from silpose.motion import WalkerTakes
 from silpose.regression import (
     Basis,
     FileBlock,
+    MixtureOfRegressors,
     RelevanceVectorRegressor,
     RidgeRegressor,
     file_blocks,
 )
 from silpose.regression.examples import StreamedExamples
+from silpose.tracking import BeliefTracker
 
 FRAMES = (4_000, 8_000, 20_000) if FAST else (100_000, 200_000, 1_000_000)
 CENTRES = 100 if FAST else 2000
 FEW = CENTRES // 4
 DAMPING, NU = 0.1, 0.02  # ν per frame: what it is weighed against is a sum over frames
 WORKERS = 2
+KEY_POSES = ((200, 1_500), (600, 3_000)) if FAST else ((1_800, 10_000), (20_000, 110_000))
+CLUSTERS = 20 if FAST else 120
+STEPS = 200
 
 
-def real_frames() -> tuple[Array, Array]:
-    """Descriptors and poses of walkers."""
+def real_takes() -> Examples:
+    """Descriptors and poses of walkers, in takes of equal length."""
     source = WalkerTakes(seconds=4 if FAST else 22, test_seconds=4)
     described = describe_dataset(SamePerformer().load(Renderer(source)), ShapeContextHistogram())
-    return described.joined("train")
+    return described.train
 
 
-def write_frames(folder: Path, count: int) -> tuple[Path, Path]:
+def perturbed_take(takes: Examples, number: int) -> tuple[Array, Array]:
+    """Make a take between two real ones, frame by frame, with noise."""
+    rng = np.random.default_rng(number)
+    (z, x), (other_z, other_x) = (takes[k] for k in rng.integers(len(takes), size=2))
+    share = 0.3 * rng.random()
+    mixed = (1 - share) * z + share * other_z
+    mixed *= np.exp(0.1 * rng.normal(size=mixed.shape))
+    poses = (1 - share) * x + share * other_x
+    return mixed / mixed.sum(axis=1, keepdims=True), poses + rng.normal(size=x.shape) * 0.1
+
+
+def write_frames(folder: Path, takes: Examples, count: int) -> tuple[Path, Path]:
     """Write frames between pairs of real ones, with noise."""
-    z, x = real_frames()
+    z, x = map(np.concatenate, zip(*takes, strict=True))
     files = folder / "z.npy", folder / "x.npy"
     tables = [
         open_memmap(file, "w+", np.float32, (count, real.shape[1]))
@@ -132,10 +150,48 @@ def against_numpy(blocks: list[FileBlock]) -> list[str]:
     return [f"{FRAMES[0]:,}", f"{ours:.1f}", f"{plain:.1f}", f"{ours / plain:.2f}"]
 
 
+def forget_peak() -> None:
+    """Let the largest memory so far count no more."""
+    Path("/proc/self/clear_refs").write_text("5")
+
+
+def measure_mixture(blocks: list[FileBlock]) -> list[str]:
+    """Fit a mixture to blocks, two workers; one row of the table."""
+    forget_peak()
+    count = sum((block.stop or 0) - (block.start or 0) for block in blocks)
+    with engine("joblib", n_jobs=WORKERS):
+        fit, mixture = seconds(lambda: MixtureOfRegressors(CLUSTERS).fit_blocks(blocks))
+    assert isinstance(mixture, MixtureOfRegressors)
+    row = [f"{count:,}", f"{mixture.components_}", f"{mixture.n_iter_}", f"{fit:.1f}"]
+    return [*row, f"{peak_gigabytes():.2f}"]
+
+
+def measure_tracker(takes: Examples, key_poses: int, frames: int) -> list[str]:
+    """Fit a tracker to takes that are functions, then track live; one row of the table."""
+    forget_peak()
+    length = len(takes[0][0])
+    functions = [partial(perturbed_take, takes, k) for k in range(-(-frames // length))]
+    count = length * len(functions)
+    tracker = BeliefTracker(keep=key_poses / count)
+    fit, _ = seconds(lambda: tracker.fit(functions))
+    peak = peak_gigabytes()
+    z, _ = perturbed_take(takes, len(functions))
+    stream, took = tracker.start(), []
+    with threadpool_limits(1):
+        for row in np.resize(z, (STEPS, z.shape[1])):
+            started = perf_counter()
+            stream.step(row)
+            took.append(1000 * (perf_counter() - started))
+    known = tracker.transitions_.stored / len(tracker.sizes_)
+    return [f"{count:,}", f"{len(tracker.sizes_):,}", f"{known:.0f}", f"{fit:.1f}", f"{peak:.2f}",
+            f"{np.median(took):.2f}", f"{np.quantile(took, 0.99):.2f}"]  # fmt: skip
+
+
 def main(folder: Path) -> None:
-    """Measure, and print two tables."""
-    files = write_frames(folder, FRAMES[-1])
-    Path("/proc/self/clear_refs").write_text("5")  # what rendering took is no part of training
+    """Measure, and print the tables."""
+    takes = real_takes()
+    files = write_frames(folder, takes, FRAMES[-1])
+    forget_peak()  # what rendering took is no part of training
     every = file_blocks(*files)
     blocks = {count: file_blocks_of(every, count) for count in FRAMES}
     rows = [measure(blocks[FRAMES[0]], FEW, "random")]
@@ -145,6 +201,12 @@ def main(folder: Path) -> None:
     report("Fit from blocks, two workers", [*columns, "kept", "peak GB"], rows)
     compared = against_numpy(blocks[FRAMES[0]])
     report("CPU time, one thread", ["frames", "fit_blocks s", "NumPy s", "ratio"], [compared])
+    rows = [measure_mixture(blocks[count]) for count in FRAMES[:2]]
+    columns = ["frames", "components", "rounds", "fit s", "peak GB"]
+    report("Mixture from blocks, two workers", columns, rows)
+    rows = [measure_tracker(takes, *each) for each in KEY_POSES]
+    columns = ["frames", "key poses", "near each", "fit s", "peak GB", "step ms", "99 %"]
+    report("Belief tracker from functions; a step has one thread", columns, rows)
 
 
 def file_blocks_of(blocks: list[FileBlock], count: int) -> list[FileBlock]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Literal
 
-from joblib import parallel_config
 from omegaconf import DictConfig, OmegaConf
 from threadpoolctl import threadpool_limits
 
@@ -15,6 +15,7 @@ from silpose.app.compose import build_components
 from silpose.app.config import load, plain
 from silpose.app.registry import ALTERNATIVES, COMPONENTS, experiment
 from silpose.core.errors import InputError
+from silpose.core.parallel import check_engine, engine
 from silpose.core.stages import timing
 from silpose.experiments.catalogue import CATALOGUE, Entry
 from silpose.recording import FinishedRun, load_run, write_result
@@ -32,17 +33,24 @@ class RunOptions:
         Seed of everything that is drawn, unless it is given one of its own.
     n_jobs : int, default=-1
         Number of workers side by side; -1 is one per processor.
+    engine : {"local", "joblib", "ray"}, default="joblib"
+        Where they are: no workers but this process, processes of this machine, or Ray.
+    address : str or None, default=None
+        ``HOST:PORT`` of a Ray cluster that runs; without it, Ray is started on this machine.
     debug : bool, default=False
         Whether an error shows where in the program it comes from.
     """
 
     seed: int = 0
     n_jobs: int = -1
+    engine: Literal["local", "joblib", "ray"] = "joblib"
+    address: str | None = None
     debug: bool = False
 
     def __post_init__(self) -> None:
         if self.n_jobs == 0:
             raise InputError("n_jobs must be an integer other than 0: -1 is one per processor")
+        check_engine(self.engine, self.address)
 
 
 def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
@@ -85,7 +93,7 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
         with (
             folder.claimed(),
             timing() as seconds,
-            parallel_config(n_jobs=options.n_jobs),
+            engine(options.engine, options.n_jobs, options.address),
             threadpool_limits(1),  # results must not depend on the number of processors
         ):
             result = job()

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import cache, partial
+from importlib.util import find_spec
 from os import cpu_count, getpid
 from socket import gethostname
 from threading import Lock
@@ -201,9 +202,7 @@ def engine(
         If Ray is not installed, or no cluster answers.
     """
     global _ray
-    check_values("engine", one_of(*ENGINES), name)
-    if address is not None and name != "ray":
-        raise InputError(f"address={address} needs engine='ray', not {name!r}")
+    check_engine(name, address)
     if name != "ray":
         with parallel_config(n_jobs=1 if name == "local" else n_jobs):
             yield
@@ -216,6 +215,15 @@ def engine(
             yield
         finally:
             _ray = before
+
+
+def check_engine(name: str, address: str | None) -> None:
+    """Refuse an engine that is none, an address without Ray, and Ray where it is not installed."""
+    check_values("engine", one_of(*ENGINES), name)
+    if address is not None and name != "ray":
+        raise InputError(f"address={address} needs engine='ray', not {name!r}")
+    if name == "ray" and find_spec("ray") is None:
+        raise InputError("Ray is not installed: pip install 'silpose[ray]'")
 
 
 def thread_map(

@@ -79,10 +79,8 @@ class RayEngine:
 def ray_engine(n_jobs: int, address: str | None) -> Iterator[RayEngine]:
     """Connect to a Ray cluster, or start Ray on this machine; parameters as of `engine`."""
     prepare_environment(alone=address is None)
-    try:
-        import ray
-    except ImportError as error:
-        raise InputError("Ray is not installed: pip install 'silpose[ray]'") from error
+    import ray
+
     if ray.is_initialized():
         raise InputError("Ray is in use in this process already: leave that block first")
     more: dict[str, Any] = {"configure_logging": False, "log_to_driver": False}

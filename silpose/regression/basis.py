@@ -9,11 +9,9 @@ from collections.abc import Callable, Iterator
 from typing import ClassVar, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.special import softmax
-from sklearn.base import BaseEstimator, TransformerMixin, clone
+from numpy.typing import ArrayLike
 from sklearn.utils import Tags
-from sklearn.utils.validation import _check_feature_names_in, check_is_fitted, validate_data
+from sklearn.utils.validation import validate_data
 
 from silpose.core.errors import InputError
 from silpose.core.parameters import (
@@ -26,24 +24,18 @@ from silpose.core.parameters import (
     one_of,
 )
 from silpose.core.random_states import RandomState, generator_of
-from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array, Indices
 from silpose.regression.centres import CHOICES, choose_rows
-from silpose.regression.hellinger import square_roots
+from silpose.regression.fitted_basis import FittedBasis
 from silpose.regression.kernels import (
     KERNELS,
     OTHER_KERNELS,
-    gaussian_exponents,
-    kernel_values,
     sampled_rows,
     typical_distance,
 )
 
-_FITTED = ("indices_", "centres_", "features_", "mean_", "scale_", "beta_")
-_SUMMED = ("summed_", "places_")  # where kernels are normalised
 
-
-class Basis(TransformerMixin, BaseEstimator):
+class Basis(FittedBasis):
     """Kernels K(z, z_k) at training points z_k, the features of z, or both together.
 
     Parameters
@@ -196,81 +188,6 @@ class Basis(TransformerMixin, BaseEstimator):
         self.beta_ = width / typical if typical > 0 else 1.0
         return self
 
-    def transform(self, z: ArrayLike) -> Array:
-        """Evaluate the basis functions.
-
-        Parameters
-        ----------
-        z : array-like, shape (n, d)
-
-        Returns
-        -------
-        f : ndarray, shape (n, size_)
-        """
-        check_is_fitted(self)
-        return self.evaluate(validate_data(self, z, dtype=float, reset=False))
-
-    def evaluate(self, z: Array) -> Array:
-        """Do the same for descriptors that have been checked; several times faster for one."""
-        inputs = self.roots(z)
-        features = ((inputs - self.mean_) / self.scale_)[:, self.features_]
-        if not len(self.centres_):
-            return features
-        kernels = self._shares(inputs) if self.normalised else self._kernels(inputs)
-        return np.hstack([kernels, features]) if len(self.features_) else kernels
-
-    def get_feature_names_out(self, input_features: ArrayLike | None = None) -> NDArray[np.object_]:
-        """Names of the basis functions: ``kernel7`` at training row 7, and those of features.
-
-        Parameters
-        ----------
-        input_features : array-like of str, shape (d,), or None, default=None
-            Names of the features; None is those seen in `fit`, or ``x0``, ``x1`` and so on.
-        """
-        check_is_fitted(self)
-        features = np.asarray(_check_feature_names_in(self, input_features), dtype=object)
-        kernels = [f"kernel{row}" for row in self.indices_]
-        return np.array([*kernels, *features[self.features_]], dtype=object)
-
-    @property
-    def size_(self) -> int:
-        """Number of basis functions."""
-        return len(self.indices_) + len(self.features_)
-
-    def restrict(self, kept: Indices) -> Basis:
-        """Return the same basis with some of its functions only.
-
-        Parameters
-        ----------
-        kept : ndarray of int, shape (k,)
-            Which of the `size_` functions.
-        """
-        basis: Basis = clone(self)
-        kernels = kept[kept < len(self.indices_)]
-        features = kept[kept >= len(self.indices_)] - len(self.indices_)
-        if self.normalised:
-            basis.summed_, basis.places_ = self.summed_, self.places_[kernels]
-        basis.indices_, basis.centres_ = self.indices_[kernels], self.centres_[kernels]
-        basis.features_ = self.features_[features]
-        for name in ("mean_", "scale_", "beta_", "n_features_in_"):
-            setattr(basis, name, getattr(self, name))
-        if hasattr(self, "feature_names_in_"):
-            basis.feature_names_in_ = self.feature_names_in_
-        return basis
-
-    def to_arrays(self) -> State:
-        """Return the parameters and what was fitted, as arrays and numbers."""
-        check_is_fitted(self)
-        return arrays_of(self, _FITTED + (_SUMMED if self.normalised else ()))
-
-    @classmethod
-    def from_arrays(cls, state: State) -> Basis:
-        """Restore a basis from `to_arrays`."""
-        fitted = [name for name in (*_FITTED, *_SUMMED) if name in state]
-        basis = estimator_from(cls, state, fitted)
-        basis.n_features_in_ = len(basis.mean_)
-        return basis
-
     def __sklearn_tags__(self) -> Tags:
         tags = super().__sklearn_tags__()
         tags.input_tags.positive_only = self.hellinger
@@ -283,15 +200,3 @@ class Basis(TransformerMixin, BaseEstimator):
             raise InputError("a basis without kernels needs linear=True")
         if self.normalised and self.kernel != "gaussian":
             raise InputError(f"normalised=True needs kernel='gaussian', not {self.kernel!r}")
-
-    def _kernels(self, inputs: Array) -> Array:
-        return kernel_values(inputs, self.centres_, str(self.kernel), self.beta_)
-
-    def _shares(self, inputs: Array) -> Array:
-        # As a softmax of exponents: however far the inputs, the sum of kernels is not 0.
-        exponents = gaussian_exponents(inputs, self.summed_, self.beta_)
-        return np.asarray(softmax(exponents, axis=1)[:, self.places_])
-
-    def roots(self, inputs: Array) -> Array:
-        """Return descriptors (n, d) as kernels see them: square roots, if so chosen."""
-        return square_roots(inputs) if self.hellinger else inputs

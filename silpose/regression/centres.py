@@ -46,6 +46,12 @@ def choose_rows(
     return np.sort(CHOICES[choice](wanted, count, inputs, random))
 
 
+def evenly_spaced(count: int, most: int) -> Indices:
+    """Return at most so many of `count` rows: of more, at even distances."""
+    rows = min(count, most)
+    return np.arange(rows) * count // max(rows, 1)
+
+
 def batches(inputs: Iterator[Array], size: int) -> Iterator[Array]:
     """Divide rows anew, into batches of one size; the last may be smaller."""
     held: list[Array] = []

@@ -16,7 +16,7 @@ from sklearn.base import clone
 
 from silpose.core.errors import InputError
 from silpose.core.parallel import parallel_in_order
-from silpose.core.types import Array
+from silpose.core.types import Array, Indices
 from silpose.regression.automatic import Chosen, choose, choose_among, compared_rows
 from silpose.regression.basis import Basis
 from silpose.regression.blocks import Block, Blocks, read_block, read_rows
@@ -73,6 +73,11 @@ class StreamedExamples:
     hellinger : bool
         Whether bases take square roots of inputs.
 
+    Attributes
+    ----------
+    whole : Moments
+        Of the inputs, or their square roots, in place of basis functions.
+
     Raises
     ------
     InputError
@@ -83,23 +88,22 @@ class StreamedExamples:
         if not len(blocks):
             raise InputError("there is no block to fit to: give one or more")
         self._blocks, self._hellinger = blocks, hellinger
-        # Of the inputs in place of basis functions.
-        self._whole, counts = self._total(partial(_survey, hellinger))
+        self.whole, counts = self._total(partial(_survey, hellinger))
         self._starts = np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.intp)
 
     def choose(self, basis: Basis) -> Chosen:
         """Choose damping, and width where it is "auto", by leave-one-out."""
-        z, x = read_rows(self._blocks, self._starts, compared_rows(self._whole.count))
-        scale, varies = self._whole.scales
-        return choose_among(basis, z, (x - self._whole.mean_y) / scale, varies)
+        z, x = self.read(compared_rows(self.whole.count))
+        scale, varies = self.whole.scales
+        return choose_among(basis, z, (x - self.whole.mean_y) / scale, varies)
 
     def fit(self, basis: Basis) -> Basis:
         """Choose the centres and the scale of a basis."""
-        whole = self._whole
+        whole = self.whole
         rows = basis.choose_rows(whole.count, self._inputs)
         sampled = sampled_rows(whole.count)
         needed = np.union1d(rows, sampled)
-        inputs = basis.roots(read_rows(self._blocks, self._starts, needed)[0])
+        inputs = basis.roots(self.read(needed)[0])
         centres, sample = (inputs[np.searchsorted(needed, own)] for own in (rows, sampled))
         variance = whole.gram.diagonal() / whole.count
         return clone(basis).use_fitted(rows, centres, whole.mean_f, variance, sample)
@@ -107,6 +111,10 @@ class StreamedExamples:
     def equations(self, basis: Basis) -> NormalEquations:
         """Reduce examples to the normal equations of a fitted basis."""
         return NormalEquations.from_moments(self._total(partial(_accumulate, basis))[0])
+
+    def read(self, rows: Indices) -> tuple[Array, Array]:
+        """Gather some rows of inputs and outputs, which are in order."""
+        return read_rows(self._blocks, self._starts, rows)
 
     def _total(self, function: partial[Moments]) -> tuple[Moments, list[int]]:
         """Add up the sums of all blocks, in their order; and count each one's examples."""

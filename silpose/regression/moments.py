@@ -8,6 +8,8 @@ functions, not on that of the examples.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from copy import deepcopy
 from dataclasses import dataclass
 
 import numpy as np
@@ -59,6 +61,23 @@ class Moments:
         squares = (off**2).sum(axis=0)
         gram, cross = centred.T @ centred, centred.T @ off
         return cls(len(f), mean_f, mean_y, gram, cross, squares, y.min(axis=0), y.max(axis=0))
+
+    @classmethod
+    def total(cls, parts: Iterable[Moments]) -> Moments:
+        """Add up the sums over blocks of examples, one or more."""
+        whole: Moments | None = None
+        for moments in parts:
+            if whole is None:
+                whole = deepcopy(moments)  # what comes from a worker may be read-only
+            else:
+                whole.add(moments)
+        assert whole is not None
+        return whole
+
+    @classmethod
+    def of_outputs(cls, y: Array) -> Moments:
+        """Sum over outputs (n, m) alone, without basis functions."""
+        return cls.of(y[:, :0], y)
 
     def add(self, other: Moments) -> None:
         """Add the examples of a block more."""

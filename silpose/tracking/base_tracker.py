@@ -14,7 +14,7 @@ from sklearn.utils.validation import check_is_fitted
 from silpose.core.default_parts import DefaultParts
 from silpose.core.errors import InputError
 from silpose.core.serialisation import State
-from silpose.core.types import Array, Examples
+from silpose.core.types import Array
 from silpose.tracking.checks import (
     check_finite,
     check_not_negative,
@@ -22,6 +22,7 @@ from silpose.tracking.checks import (
     checked_rate,
     numbers,
 )
+from silpose.tracking.takes import GivenTakes
 from silpose.tracking.track import Track
 
 SAME_RATE = 0.02
@@ -41,13 +42,14 @@ class Tracker(ABC, DefaultParts, BaseEstimator, Generic[Run]):
     frames_per_second: float
 
     @abstractmethod
-    def fit(self, takes: Examples, y: object = None) -> Self:
+    def fit(self, takes: GivenTakes, y: object = None) -> Self:
         """Fit to training takes.
 
         Parameters
         ----------
-        takes : sequence of (z, x)
-            Descriptors (F, d) and poses (F, D) of each training take.
+        takes : sequence
+            Descriptors (F, d) and poses (F, D) of each training take: a pair (z, x), or a function
+            without arguments that returns one. Functions are called several times.
         y : None
             Ignored.
 

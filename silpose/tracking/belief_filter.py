@@ -6,6 +6,7 @@ import numpy as np
 
 from silpose.core.types import Array
 from silpose.tracking.track import next_state
+from silpose.tracking.transitions import Transitions
 
 
 def update(predicted: Array, likelihood: Array) -> tuple[Array, float]:
@@ -35,7 +36,7 @@ class BeliefFilter:
 
     Parameters
     ----------
-    transitions : ndarray, shape (K, K)
+    transitions : Transitions
         Probability that one key pose follows another.
     prior : ndarray, shape (K,)
         Belief before anything is seen.
@@ -55,7 +56,12 @@ class BeliefFilter:
     """
 
     def __init__(
-        self, transitions: Array, prior: Array, headings: Array, tolerance: float, recovers: bool
+        self,
+        transitions: Transitions,
+        prior: Array,
+        headings: Array,
+        tolerance: float,
+        recovers: bool,
     ) -> None:
         self._transitions, self._prior, self._headings = transitions, prior, headings
         self._tolerance, self._recovers = tolerance, recovers
@@ -78,8 +84,9 @@ class BeliefFilter:
         belief : ndarray, shape (K,)
         state : str
         """
-        first = self.belief is None
-        predicted = self._prior if self.belief is None else self.belief @ self._transitions
+        before = self.belief
+        first = before is None
+        predicted = self._prior if before is None else self._transitions.forward(before)
         belief, self.surprise = update(predicted, likelihood)
         lost = self.surprise > self._tolerance and not first
         if lost and self._recovers:  # perhaps it is another person, or another place
@@ -90,13 +97,15 @@ class BeliefFilter:
         return belief, self._state
 
 
-def fixed_lag_smooth(beliefs: Array, likelihoods: Array, transitions: Array, lag: int) -> Array:
+def fixed_lag_smooth(
+    beliefs: Array, likelihoods: Array, transitions: Transitions, lag: int
+) -> Array:
     """Condition every belief on the next `lag` frames, too.
 
     Parameters
     ----------
     beliefs, likelihoods : ndarray, shape (F, K)
-    transitions : ndarray, shape (K, K)
+    transitions : Transitions
     lag : int
         Frames.
 
@@ -109,15 +118,9 @@ def fixed_lag_smooth(beliefs: Array, likelihoods: Array, transitions: Array, lag
     # ahead[t]: likelihood of frames t+1 to t+h given each key pose at t; h grows by 1 a round.
     ahead = np.ones_like(beliefs)
     for _ in range(min(lag, frames - 1)):
-        message = (likelihoods[1:] * ahead[1:]) @ transitions.T
+        message = transitions.backward(likelihoods[1:] * ahead[1:])
         peak = message.max(axis=1, keepdims=True)
         ahead = np.vstack([message / np.where(peak > 0, peak, 1), np.ones(beliefs.shape[1])])
     smoothed = beliefs * ahead
     total = smoothed.sum(axis=1, keepdims=True)
     return np.where(total > 0, smoothed / np.where(total > 0, total, 1), beliefs)
-
-
-def reversed_time(transitions: Array, sizes: Array) -> Array:
-    """Return the time-reversed transition matrix (K, K), by Bayes' rule with prior sizes (K,)."""
-    joint = sizes[:, None] * transitions
-    return (joint / joint.sum(axis=0)).T

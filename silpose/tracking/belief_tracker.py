@@ -20,15 +20,21 @@ from numpy.typing import ArrayLike
 
 from silpose.core.parameters import PROBABILITY, Constraints, check_parameters
 from silpose.core.random_states import RandomState
-from silpose.core.types import Array, Examples
+from silpose.core.serialisation import State, prefixed, without_prefix
+from silpose.core.types import Array
 from silpose.tracking.base_tracker import TrackerStream
-from silpose.tracking.belief_filter import BeliefFilter, fixed_lag_smooth, reversed_time
-from silpose.tracking.checks import checked_lag, checked_takes
+from silpose.tracking.belief_filter import BeliefFilter, fixed_lag_smooth
+from silpose.tracking.checks import checked_lag
+from silpose.tracking.distances import kernel, rows_at_once
+from silpose.tracking.key_examples import KeyPoseComparison
 from silpose.tracking.key_pose_tracker import KeyPoseTracker
-from silpose.tracking.key_poses import KeyPoseComparison, KeyPoses, kernel
+from silpose.tracking.key_poses import KeyPoses
+from silpose.tracking.takes import GivenTakes, TrainingTakes
 from silpose.tracking.track import Track
+from silpose.tracking.transitions import Transitions
 
 _TOLERATED = 2.0  # surprise at which a track is not lost yet, relative to the largest in training
+_SURPRISED = 20_000  # training frames, of whole takes, whose surprise is looked at
 
 
 class BeliefTracker(KeyPoseTracker[BeliefFilter]):
@@ -63,7 +69,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
     ----------
     examples_ : KeyExamples
         Key poses and their descriptors.
-    transitions_ : ndarray, shape (K, K)
+    transitions_ : Transitions
         Probability that one key pose follows another.
     sizes_ : ndarray, shape (K,)
         Number of training frames in each key pose.
@@ -71,7 +77,8 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
     kept_ : float
         Key poses over training frames.
     tolerance_ : float
-        Surprise beyond which the track counts as lost.
+        Surprise beyond which the track counts as lost: twice the largest in training, of more than
+        20,000 frames the largest in some takes.
 
     See Also
     --------
@@ -80,7 +87,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
     """
 
     constraints: ClassVar[Constraints] = {**KeyPoseTracker.constraints, "restart": PROBABILITY}
-    _fitted = ("transitions_", "sizes_", "kept_", "tolerance_")
+    _fitted = ("sizes_", "kept_", "tolerance_")
 
     def __init__(
         self,
@@ -107,19 +114,25 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         self.frames_per_second = frames_per_second
         self.random_state = random_state
 
-    def fit(self, takes: Examples, y: object = None) -> Self:
+    def fit(self, takes: GivenTakes, y: object = None) -> Self:
         """Learn key poses and how they follow one another; `takes` as of `Tracker.fit`."""
         check_parameters(self)
-        takes = checked_takes(takes)
+        takes = TrainingTakes(takes)
         self.use_fitted(self.key_poses(takes))
-        surprises = [0.0]
-        for z, _ in takes:
-            run = self._filter(self.transitions_)
-            for row in self.likelihoods(self.examples_.compare(z)):
-                run.step(row)
-                surprises.append(run.surprise)
-        self.tolerance_ = _TOLERATED * max(surprises)
+        some = -(-sum(takes.lengths) // _SURPRISED)
+        largest = max(self._surprise(takes[k][0]) for k in range(0, len(takes), some))
+        self.tolerance_ = _TOLERATED * largest
         return self
+
+    def _surprise(self, z: Array) -> float:
+        """Return the largest surprise in a take (F, d)."""
+        run, largest = self._filter(self.transitions_), 0.0
+        rows = rows_at_once(len(self.sizes_))
+        for start in range(0, len(z), rows):
+            for row in self.likelihoods(self.examples_.compare(z[start : start + rows])):
+                run.step(row)
+                largest = max(largest, run.surprise)
+        return largest
 
     def use_fitted(self, keys: KeyPoses) -> Self:
         """Fit the kernels to key poses at hand, which so serve many widths.
@@ -130,7 +143,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         self._use_key_poses(keys)
         self.transitions_ = keys.transitions(self.pose_width, self.restart)
         self.sizes_ = keys.sizes
-        self.kept_ = len(keys.sizes) / len(keys.following)
+        self.kept_ = len(keys.sizes) / len(keys.labels)
         self.tolerance_ = np.inf
         return self
 
@@ -212,7 +225,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         """
         transitions = self.transitions_
         if backwards:
-            transitions = reversed_time(transitions, self.sizes_)
+            transitions = transitions.reversed(self.sizes_)
         likelihoods = self.likelihoods(comparison)
         if known is not None and len(known):
             likelihoods[: len(known)] = self._pose_likelihoods(known)
@@ -224,7 +237,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
             beliefs = fixed_lag_smooth(beliefs, likelihoods, transitions, lag)
         return beliefs, states
 
-    def _filter(self, transitions: Array) -> BeliefFilter:
+    def _filter(self, transitions: Transitions) -> BeliefFilter:
         prior, headings = self.sizes_ / self.sizes_.sum(), self.examples_.headings
         return BeliefFilter(transitions, prior, headings, self.tolerance_, self.restart > 0)
 
@@ -235,3 +248,18 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
     def _pose_likelihoods(self, poses: Array) -> Array:
         """K_x(x, x_k) of known poses (P, D), shape (P, K)."""
         return kernel(self.examples_.pose_distances(poses), self.pose_width)
+
+    def to_arrays(self) -> State:
+        """Return parameters and fitted attributes as arrays, numbers and strings."""
+        return super().to_arrays() | prefixed("transitions", self.transitions_.to_arrays())
+
+    @classmethod
+    def from_arrays(cls, state: State) -> Self:
+        """Restore a tracker from the result of `to_arrays`."""
+        tracker = super().from_arrays(state)
+        if "transitions_" in state:  # as models had them that were saved before
+            tracker.transitions_ = Transitions.of_dense(np.asarray(state["transitions_"]))
+        else:
+            own = without_prefix("transitions", state)
+            tracker.transitions_ = Transitions.from_arrays(own)
+        return tracker

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from numbers import Integral, Real
 from typing import Any
 
@@ -11,50 +10,6 @@ from numpy.typing import ArrayLike
 
 from silpose.core.errors import InputError
 from silpose.core.types import Array
-
-
-def checked_takes(takes: Sequence[tuple[ArrayLike, ArrayLike]]) -> list[tuple[Array, Array]]:
-    """Check training takes; return descriptors (F, d) and poses (F, D) of each as arrays.
-
-    Raises
-    ------
-    InputError
-        If there are none, or one cannot be used; it is named by its index.
-    """
-    found: list[tuple[Array, Array]] = []
-    for k, take in enumerate(_listed(takes)):
-        try:
-            z, x = take
-        except (TypeError, ValueError):
-            raise InputError(
-                f"take {k} is no pair: give descriptors and poses (z, x) of each take"
-            ) from None
-        z, x = numbers(z, f"descriptors of take {k}"), numbers(x, f"poses of take {k}")
-        first = found[0] if found else (z, x)
-        check_table(z, f"descriptors of take {k}", _width(first[0]))
-        check_table(x, f"poses of take {k}", _width(first[1]))
-        if len(z) != len(x):
-            raise InputError(
-                f"take {k} has {len(z)} descriptors and {len(x)} poses: give one of each a frame"
-            )
-        check_finite(z, f"descriptors of take {k}", "leave out frames without a person")
-        check_finite(x, f"poses of take {k}", "leave out frames without a pose")
-        check_not_negative(z, f"descriptors of take {k}")
-        found.append((z, x))
-    if not sum(len(x) for _, x in found):
-        raise InputError("there are no training takes: give at least one pair (z, x) of frames")
-    return found
-
-
-def checked_poses(poses: Any) -> list[Array]:
-    """Check the poses (F, D) of training takes, without descriptors."""
-    found: list[Array] = []
-    for k, take in enumerate(_listed(poses)):
-        x = numbers(take, f"poses of take {k}")
-        check_table(x, f"poses of take {k}", found[0].shape[-1] if found else _width(x))
-        check_finite(x, f"poses of take {k}", "leave out frames without a pose")
-        found.append(x)
-    return found
 
 
 def checked_lag(lag: object) -> int:
@@ -104,12 +59,8 @@ def check_not_negative(z: Array, what: str) -> None:
         )
 
 
-def _width(values: Array) -> int:
-    """Return the number of columns, or 0 for what has none."""
-    return values.shape[1] if values.ndim == 2 else 0
-
-
-def _listed(takes: Any) -> list[Any]:
+def listed(takes: Any) -> list[Any]:
+    """Make a list of what is given as a sequence of takes."""
     try:
         return list(takes)
     except TypeError:

@@ -14,8 +14,8 @@ from silpose.core.errors import InputError
 from silpose.core.parameters import POSITIVE, Constraints, check_parameters
 from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array
-from silpose.regression.scales import scales_of
-from silpose.tracking.checks import checked_poses
+from silpose.regression.moments import Moments
+from silpose.tracking.takes import checked_poses
 
 _FITTED = ("mean_", "scale_", "coef_")
 
@@ -68,13 +68,16 @@ class SecondOrderDynamics(BaseEstimator):
         takes = checked_poses(poses)
         if not any(len(take) > 2 for take in takes):
             raise InputError("dynamics need a take of three frames or more")
-        every = np.concatenate(takes)
-        self.mean_, self.scale_, _ = scales_of(every)
-        steps = [self._steps((take - self.mean_) / self.scale_) for take in takes if len(take) > 2]
-        states, changes = (np.concatenate(part) for part in zip(*steps, strict=True))
-        gram = states.T @ states
-        gram.flat[:: len(gram) + 1] += self.damping
-        self.coef_ = np.linalg.solve(gram, states.T @ changes)
+        whole = Moments.total(Moments.of_outputs(take) for take in takes if len(take))
+        self.mean_, (self.scale_, _) = whole.mean_y, whole.scales
+        count = len(self.mean_)
+        gram, target = self.damping * np.eye(2 * count), np.zeros((2 * count, count))
+        for take in takes:
+            if len(take) > 2:
+                states, changes = self._steps((take - self.mean_) / self.scale_)
+                gram += states.T @ states
+                target += states.T @ changes
+        self.coef_ = np.linalg.solve(gram, target)
         return self
 
     @staticmethod

@@ -21,11 +21,13 @@ from silpose.core.serialisation import (
     unwrapped,
     without_prefix,
 )
-from silpose.core.types import Array, Examples
+from silpose.core.types import Array
 from silpose.tracking.base_tracker import Run, Tracker
-from silpose.tracking.key_poses import KeyExamples, KeyPoseComparison, KeyPoses
+from silpose.tracking.key_examples import KeyExamples, KeyPoseComparison
+from silpose.tracking.key_poses import KeyPoses
 from silpose.tracking.local_regression import regress_locally, weights_around
 from silpose.tracking.silhouette_regressor import SilhouetteRegressor
+from silpose.tracking.takes import GivenTakes, TrainingTakes
 
 SHARES: Mapping[str, slice] = {"heading_alone": slice(0, 2), "body_alone": slice(2, None)}
 """Columns of a pose, by the parameter that is their share regressed on the silhouette alone."""
@@ -68,8 +70,9 @@ class KeyPoseTracker(Tracker[Run]):
     body_alone: float | None
     random_state: RandomState
 
-    def key_poses(self, takes: Examples) -> KeyPoses:
-        """Cluster the poses of training takes ``(z, x)``."""
+    def key_poses(self, takes: GivenTakes) -> KeyPoses:
+        """Cluster the poses of training takes, as of `Tracker.fit`."""
+        takes = TrainingTakes.of(takes)
         return KeyPoses.fit(takes, SPACES[self.space], self.keep, seed_of(self.random_state))
 
     @abstractmethod

@@ -6,12 +6,15 @@ W. S. Cleveland, S. J. Devlin, "Locally weighted regression", J. Am. Stat. Assoc
 from __future__ import annotations
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from silpose.core.types import Array, Indices
-from silpose.tracking.key_poses import KeyExamples, KeyPoseComparison, kernel
+from silpose.tracking.distances import FEW, kernel
+from silpose.tracking.key_examples import KeyExamples, KeyPoseComparison
 
 _BLOCK = 64  # frames whose examples are copied at a time
 _MOST = 64  # examples of largest weight that are regressed on; more hardly matter, but cost
+_NOTHING = 1e-6  # sum of weights that is left out of the mean of very many
 
 
 def regress_locally(
@@ -34,7 +37,10 @@ def regress_locally(
     -------
     x : ndarray, shape (F, D)
     """
-    x, means = weights @ poses, weights @ descriptors
+    kept: Array | csr_array = weights
+    if weights.shape[1] > FEW:
+        kept = csr_array(np.where(weights > _NOTHING / weights.shape[1], weights, 0))
+    x, means = kept @ poses, kept @ descriptors
     frames = np.flatnonzero(~np.isnan(seen).any(axis=1))
     for start in range(0, len(frames), _BLOCK):
         own = frames[start : start + _BLOCK]

@@ -30,14 +30,16 @@ from silpose.core.parameters import (
 )
 from silpose.core.random_states import RandomState, seed_of
 from silpose.core.serialisation import State, prefixed, without_prefix
-from silpose.core.types import Array, Examples
+from silpose.core.types import Array
 from silpose.regression import MixtureOfRegressors
+from silpose.regression.moments import Moments
 from silpose.tracking.base_tracker import TrackerStream
-from silpose.tracking.checks import checked_lag, checked_takes
+from silpose.tracking.checks import checked_lag
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.key_pose_tracker import KeyPoseTracker
 from silpose.tracking.key_poses import KeyPoses
 from silpose.tracking.particle_filter import FilterModel, ParticleFilter, check_modes, filter_take
+from silpose.tracking.takes import GivenTakes, TrainingTakes
 from silpose.tracking.track import Track
 
 
@@ -144,15 +146,18 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
         self.frames_per_second = frames_per_second
         self.random_state = random_state
 
-    def fit(self, takes: Examples, y: object = None) -> Self:
+    def fit(self, takes: GivenTakes, y: object = None) -> Self:
         """Fit the mixture, the dynamics and the key poses; `takes` as of `Tracker.fit`."""
         check_parameters(self)
-        takes = checked_takes(takes)
-        z, poses = map(list, zip(*takes, strict=True))
+        takes = TrainingTakes(takes)
         mixture = clone(self.mixture or MixtureOfRegressors())
-        mixture.fit(np.concatenate(z), np.concatenate(poses))
-        dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(poses)
-        return self.use_fitted(mixture, dynamics, self.key_poses(takes), poses)
+        if takes.in_memory:
+            z, x = map(np.concatenate, zip(*takes, strict=True))
+            mixture.fit(z, x)
+        else:
+            mixture.fit_blocks(takes.given)
+        dynamics = clone(self.dynamics or SecondOrderDynamics()).fit(takes.poses)
+        return self.use_fitted(mixture, dynamics, self.key_poses(takes), takes.poses)
 
     def use_fitted(
         self,
@@ -165,11 +170,15 @@ class MultipleHypothesisTracker(KeyPoseTracker[ParticleFilter]):
         check_parameters(self)
         self._use_key_poses(keys)
         self.mixture_, self.dynamics_ = mixture, dynamics
-        every = np.concatenate(poses)
-        self.mean_, self.variance_ = every.mean(axis=0), np.maximum(every.var(axis=0), 1e-9)
-        off = [x[2:] - dynamics.predict(x[1:-1], x[:-2]) for x in poses if len(x) > 2]
+        every = Moments.total(Moments.of_outputs(x) for x in poses if len(x))
+        self.mean_, self.variance_ = every.mean_y, np.maximum(every.squares / every.count, 1e-9)
+        off = Moments.total(
+            Moments.of_outputs(x[2:] - dynamics.predict(x[1:-1], x[:-2]))
+            for x in poses
+            if len(x) > 2
+        )
         self.typical_ = mixture.variances()[:-1].mean(axis=0)
-        self.noise_ = np.concatenate(off).var(axis=0) + self.process_noise * self.typical_
+        self.noise_ = off.squares / off.count + self.process_noise * self.typical_
         return self
 
     def track(

@@ -14,11 +14,12 @@ from silpose.core.default_parts import Parts
 from silpose.core.errors import InputError
 from silpose.core.parameters import NOT_NEGATIVE_INTEGER, POSITIVE, Constraints, check_parameters
 from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
-from silpose.core.types import Array, Examples
+from silpose.core.types import Array
 from silpose.tracking.base_tracker import Tracker, TrackerStream
-from silpose.tracking.checks import checked_lag, checked_takes
+from silpose.tracking.checks import checked_lag
 from silpose.tracking.dynamics import SecondOrderDynamics
 from silpose.tracking.state_sensitive import StateSensitiveRegressor, observed_and_sampled
+from silpose.tracking.takes import GivenTakes, checked_takes
 from silpose.tracking.track import Track, next_state
 
 GIVEN = 2
@@ -99,8 +100,8 @@ class SinglePoseTracker(Tracker[SinglePose]):
         self.samples = samples
         self.frames_per_second = frames_per_second
 
-    def fit(self, takes: Examples, y: object = None) -> Self:
-        """Learn dynamics and correction; `takes` as of `Tracker.fit`."""
+    def fit(self, takes: GivenTakes, y: object = None) -> Self:
+        """Learn dynamics and correction; `takes` as of `Tracker.fit`, all in memory at once."""
         check_parameters(self)
         takes = checked_takes(takes)
         dynamics = clone(self.dynamics or SecondOrderDynamics()).fit([x for _, x in takes])

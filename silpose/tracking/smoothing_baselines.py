@@ -8,8 +8,8 @@ from sklearn.neighbors import NearestNeighbors
 
 from silpose.core.types import Array
 from silpose.regression.scales import scales_of
+from silpose.tracking.distances import squared_distances
 from silpose.tracking.dynamics import SecondOrderDynamics
-from silpose.tracking.key_poses import squared_distances
 
 
 def smooth(x: Array, window: int) -> Array:

@@ -27,9 +27,9 @@ from silpose.core.types import Array, Examples, Indices
 from silpose.regression.normal_equations import NormalEquations
 from silpose.regression.scales import scales_of
 from silpose.regression.sparse import FirstBridges, sparsest_within
-from silpose.tracking.checks import checked_takes
+from silpose.tracking.distances import squared_distances
 from silpose.tracking.dynamics import SecondOrderDynamics
-from silpose.tracking.key_poses import squared_distances
+from silpose.tracking.takes import checked_takes
 
 _NEIGHBOURS = 10  # training poses whose scatter around a state is its local scatter
 _FIRST_NU = 16.0  # of the path to a wanted sparsity

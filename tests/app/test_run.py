@@ -1,9 +1,12 @@
+from contextlib import contextmanager
+
 import pytest
 import yaml
 
 import silpose
 from silpose.app.config import load
 from silpose.core.errors import InputError
+from silpose.core.parallel import engine
 
 
 def test_a_run_is_made_from_overrides_or_settings(fast, tmp_path):
@@ -15,6 +18,38 @@ def test_a_run_is_made_from_overrides_or_settings(fast, tmp_path):
     assert first.metrics == second.metrics
     assert first.headline == second.headline
     assert {"masks", "descriptors", "regression"} <= set(first.seconds)
+
+
+def test_the_engine_is_a_setting(fast, tmp_path, monkeypatch):
+    engines = []
+
+    @contextmanager
+    def watched(*chosen):
+        engines.append(chosen)
+        with engine(*chosen):
+            yield
+
+    monkeypatch.setattr("silpose.app.run.engine", watched)
+    overrides = [*fast, f"recording.root={tmp_path}", "recording=none"]
+    overrides += ["methods=[ridge]", "show=ridge", "n_jobs=2"]
+    found = [
+        silpose.run_experiment([*overrides, f"engine={name}", f"recording.name={name}"]).metrics
+        for name in ("local", "joblib")
+    ]
+    assert found[0] == found[1]
+    assert engines == [("local", 2, None), ("joblib", 2, None)]
+
+
+def test_an_engine_that_cannot_be_used_is_refused_before_anything_is_done(tmp_path, monkeypatch):
+    monkeypatch.setattr("silpose.core.parallel.find_spec", lambda name: None)
+    for override, message in {
+        "engine=ray": r"Ray is not installed: pip install 'silpose\[ray\]'",
+        "engine=spark": "'engine' must be one of",
+        "address=host:6379": "address=host:6379 needs engine='ray'",
+    }.items():
+        with pytest.raises(InputError, match=message):
+            silpose.run_experiment([override, f"recording.root={tmp_path}"])
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_run_keeps_all_its_settings(finished):

@@ -10,7 +10,6 @@ from silpose.regression import (
     SupportVectorRegressor,
     file_blocks,
     split_rows,
-    stored_blocks,
 )
 
 BASES = [
@@ -61,34 +60,6 @@ def test_every_engine_gives_the_same_to_the_last_digit(smooth, tmp_path):
     np.testing.assert_array_equal(*found)
 
 
-class Made:
-    """A function that counts its calls in a file."""
-
-    def __init__(self, folder, z, x):
-        self.folder, self.z, self.x = folder, z, x
-
-    def __call__(self):
-        with (self.folder / "calls").open("a") as calls:
-            calls.write(".")
-        return self.z, self.x
-
-
-def test_blocks_are_made_once_and_what_is_stored_is_not_made_again(smooth, tmp_path):
-    (z, x), _ = smooth
-    functions = [Made(tmp_path, *block) for block in split_rows(z, x, 50)]
-    stored_blocks(functions[:2], tmp_path / "blocks", "walk")  # then it was stopped
-    stored = stored_blocks(functions, tmp_path / "blocks", "walk")
-    regressor = RidgeRegressor().fit_blocks(stored)
-    assert (tmp_path / "calls").read_text() == "...."
-    expected = RidgeRegressor().fit_blocks(split_rows(z, x, 50))
-    np.testing.assert_array_equal(regressor.weights_, expected.weights_)
-
-    with pytest.raises(InputError, match="blocks of other data: choose another folder"):
-        stored_blocks(functions, tmp_path / "blocks", "run")
-    with pytest.raises(InputError, match="holds other files"):
-        stored_blocks(functions, tmp_path, "walk")
-
-
 WRONG = {
     "block 1 has 7 inputs and 5 outputs, the blocks before it 8 and 5": lambda z, x: (z[:, 1:], x),
     "block 1 has 8 inputs and 4 outputs": lambda z, x: (z, x[:, 1:]),
@@ -115,9 +86,3 @@ def test_a_support_vector_machine_needs_all_examples(smooth):
     (z, x), _ = smooth
     with pytest.raises(InputError, match="all examples in memory"):
         SupportVectorRegressor(Basis(width=1.0)).fit_blocks(split_rows(z, x))
-
-
-def test_a_folder_of_blocks_that_cannot_be_made_is_named(smooth, tmp_path):
-    (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match="cannot make the folder"):
-        stored_blocks(split_rows(*smooth[0]), tmp_path / "file" / "blocks", "walk")

@@ -11,7 +11,8 @@ from silpose.tracking import (
     SinglePoseTracker,
     StateSensitiveRegressor,
 )
-from silpose.tracking.checks import checked_lag, checked_rate, checked_takes
+from silpose.tracking.checks import checked_lag, checked_rate
+from silpose.tracking.takes import checked_takes
 
 TRACKERS = [BeliefTracker(), MultipleHypothesisTracker(), SinglePoseTracker()]
 Z, X = np.full((6, 4), 0.25), np.zeros((6, 5))

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.tracking.key_poses import KeyExamples
+from silpose.tracking.key_examples import KeyExamples
 from silpose.tracking.local_regression import regress_locally, weights_around
 
 
@@ -55,3 +55,13 @@ def test_a_rough_pose_decides_between_poses_that_look_alike():
         assert weights.sum() == pytest.approx(1)
         (found,) = regress_locally(weights[None], *both, np.sqrt(z[7:8]), 1e-6)
         assert np.abs(found - sign * pose[7]).max() < 0.2 * np.abs(rough - sign * pose[7]).max()
+
+
+def test_of_very_many_examples_those_of_no_weight_are_left_out(line, monkeypatch):
+    _, z, poses = line
+    weights = np.array([near(z, where) for where in z[:3]])
+    expected = regress_locally(weights, poses, z, z[:3] + 0.1, 1.0)
+    monkeypatch.setattr("silpose.tracking.local_regression.FEW", 100)
+    found = regress_locally(weights, poses, z, z[:3] + 0.1, 1.0)
+    assert found == pytest.approx(expected, abs=1e-5)
+    assert not np.array_equal(found, expected)

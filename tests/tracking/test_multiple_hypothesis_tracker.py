@@ -1,3 +1,5 @@
+from functools import partial
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -29,6 +31,22 @@ def test_chooses_between_explanations_better_than_a_single_image(tracker, unseen
     alone = ANGLES.distance(x, tracker.mixture_.predict(z)).mean()
     assert ANGLES.distance(x, tracker.track(z).x).mean() < alone
     assert ANGLES.distance(x, tracker.track(z, lag=5).x).mean() < 0.85 * alone
+
+
+def test_takes_may_be_functions(takes, unseen):
+    """The particles' choices would blow up differences of rounding: parts are compared."""
+    mixture = MixtureOfRegressors(10, dimensions=10, units=ANGLES.units)
+    arrays, functions = (
+        MultipleHypothesisTracker(mixture).fit(given)
+        for given in (takes, [partial(takes.__getitem__, k) for k in range(len(takes))])
+    )
+    for name in ("mean_", "variance_", "typical_", "noise_"):
+        assert getattr(functions, name) == pytest.approx(getattr(arrays, name), rel=1e-6)
+    z, x = unseen
+    assert functions.mixture_.predict(z) == pytest.approx(arrays.mixture_.predict(z), abs=1e-5)
+    assert functions.dynamics_.coef_ == pytest.approx(arrays.dynamics_.coef_)
+    refined = arrays.regress_around(x, z)
+    assert functions.regress_around(x, z) == pytest.approx(refined, abs=1e-5)
 
 
 def test_finds_its_start_by_itself(tracker, unseen):

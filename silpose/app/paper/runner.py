@@ -24,7 +24,7 @@ from silpose.recording import FinishedRun, load_run
 from silpose.recording.paper import Found, PaperReport, write_paper
 
 _FAST = "This was a fast pass on a few seconds of motion in small images: a check, not results."
-_ELSEWHERE = ("recording", "n_jobs", "debug")  # settings that change no result
+_ELSEWHERE = ("recording", "n_jobs", "engine", "address", "debug")  # settings that change no result
 
 
 @dataclass(frozen=True)

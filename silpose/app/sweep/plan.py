@@ -23,7 +23,10 @@ from silpose.recording.runs.sweep_folder import read_definition, write_definitio
 CACHE = ".descriptors"
 """Folder below that of recordings where the runs of sweeps share descriptors."""
 
-_NO_MATTER = ("hydra", "n_jobs", "debug", "dataset.cache", "recording.root", "recording.sweep")
+_NO_MATTER = (
+    "hydra", "n_jobs", "engine", "address", "debug", "dataset.cache", "recording.root",
+    "recording.sweep",
+)  # fmt: skip
 _LONGEST_NAME = 40
 
 

@@ -1,4 +1,4 @@
-"""Local regressors with Gaussian gates, and the two steps of EM that fit them.
+"""Local regressors with Gaussian gates, and the two steps by which EM fits them.
 
 Component k has the joint density π_k N(ψ; μ_k, S_k) N(x; b_k + (ψ - μ_k) A_k, Λ_k), S_k and Λ_k
 diagonal.
@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from silpose.core.types import Array, Indices
+from silpose.regression.mixture.expert_sums import ExpertSums
 from silpose.regression.normal_equations import solve_damped
 
 _STRENGTH = 5.0  # examples that the typical variances count as
-_IGNORED = 1e-6  # responsibility below which an example is left out of a component
 _ROUNDED_OFF = 40.0  # difference of logs beyond which the smaller adds nothing to the larger
 
 
@@ -104,26 +104,27 @@ class Experts:
             Responsibility of each component for each example.
         prior : Prior
         """
-        size = shares.sum(axis=0)
-        centres = (shares.T @ inputs) / size[:, None]
-        spreads, slopes, offsets, noises = [], [], [], []
-        for share, count, centre in zip(shares.T, size, centres, strict=True):
-            own = share > _IGNORED
-            weight, centred, pose = share[own, None], inputs[own] - centre, poses[own]
-            offset = (weight * pose).sum(axis=0) / weight.sum()
-            target = centred.T @ (weight * (pose - offset))
-            slope = solve_damped(centred.T @ (weight * centred), target, prior.damping)
-            misfit = (weight * (pose - offset - centred @ slope) ** 2).sum(axis=0)
-            misfit += prior.damping * (slope**2).sum(axis=0)
-            scatter = (weight * centred**2).sum(axis=0)
+        return cls.of(ExpertSums.of(inputs, poses, shares), prior)
+
+    @classmethod
+    def of(cls, sums: ExpertSums, prior: Prior) -> Experts:
+        """Maximise as `fit` does, given the sums over examples."""
+        centres = sums.inputs / sums.size[:, None]
+        spreads, slopes, noises = [], [], []
+        for k, count in enumerate(sums.size):
+            off, cross = sums.mean_f[k] - centres[k], sums.cross[k]
+            gram = sums.gram[k] + sums.weight[k] * np.outer(off, off)
+            slope = solve_damped(gram.copy(), cross, prior.damping)
+            misfit = sums.squares[k] + (slope * (gram @ slope - 2 * cross)).sum(axis=0)
+            misfit = np.maximum(misfit, 0) + prior.damping * (slope**2).sum(axis=0)
             total = count + prior.strength
-            spreads.append((scatter + prior.strength * prior.spread) / total)
+            spreads.append((gram.diagonal() + prior.strength * prior.spread) / total)
             noise = (misfit + prior.strength * prior.noise) / total
             noises.append(np.maximum(noise, prior.floor**2))
             slopes.append(slope)
-            offsets.append(offset)
-        return cls(np.log(size / size.sum()), centres, *map(np.array, (
-            spreads, slopes, offsets, noises)))  # fmt: skip
+        shares = np.log(sums.size / sums.size.sum())
+        spread, slope = np.array(spreads), np.array(slopes)
+        return cls(shares, centres, spread, slope, sums.mean_y, np.array(noises))
 
     def log_gates(self, inputs: Array, temperature: float = 1.0) -> Array:
         """Log π_k + log N(ψ; μ_k, S_k) / temperature, shape (n, K)."""
@@ -164,77 +165,24 @@ class Experts:
         known = (gates + self.log_densities(inputs, poses, likely)).max(axis=1, keepdims=True)
         return gates + self.log_densities(inputs, poses, highest > known - _ROUNDED_OFF)
 
-    def responsibilities(self, inputs: Array, poses: Array, prior: Prior) -> tuple[Array, float]:
+    def responsibilities(self, inputs: Array, poses: Array) -> tuple[Array, float]:
         """Compute the responsibilities: the E-step.
 
         Returns
         -------
         shares : ndarray, shape (n, K)
             Responsibility of each component for each example.
-        objective : float
-            Penalised log-likelihood per example, which EM maximises.
+        log_likelihood : float
+            Of all examples.
         """
         joint = self._log_joint(inputs, poses)
         total = logsumexp(joint, axis=1, keepdims=True)
-        return np.exp(joint - total), float(total.sum() - self._penalty(prior)) / len(inputs)
+        return np.exp(joint - total), float(total.sum())
 
-    def _penalty(self, prior: Prior) -> float:
+    def penalty(self, prior: Prior) -> float:
         """Minus the log of the prior density, up to a constant."""
         steep = (self.slopes**2).sum(axis=1) / self.noises
         width = np.log(self.spreads) + prior.spread / self.spreads
         noise = np.log(self.noises) + prior.noise / self.noises
         spread = prior.strength * (width.sum() + noise.sum())
         return 0.5 * float(prior.damping * steep.sum() + spread)
-
-
-def expectation_maximisation(
-    inputs: Array,
-    poses: Array,
-    labels: Indices,
-    prior: Prior,
-    smallest: float,
-    max_iter: int,
-    tol: float,
-) -> tuple[Experts, list[float], list[int]]:
-    """Fit components that start as clusters.
-
-    Parameters
-    ----------
-    inputs, poses : ndarray, shapes (n, d) and (n, D)
-    labels : ndarray of int, shape (n,)
-        Cluster of each example.
-    prior : Prior
-    smallest : float
-        Components with fewer examples, as a sum of responsibilities, are pruned.
-    max_iter : int
-        Largest number of rounds.
-    tol : float
-        Converged once a round adds less than this to the objective, and none is to be pruned.
-
-    Returns
-    -------
-    experts : Experts
-    objective : list of float
-        Penalised log-likelihood per example, before each round.
-    pruned : list of int
-        Rounds before which components were pruned; only there may the objective fall.
-    """
-    shares = np.eye(labels.max() + 1)[labels]
-    objective: list[float] = []
-    pruned: list[int] = []
-    experts = Experts.fit(inputs, poses, shares, prior)
-    for _ in range(max_iter):
-        shares, reached = experts.responsibilities(inputs, poses, prior)
-        settled = len(objective) > 0 and abs(reached - objective[-1]) < tol
-        objective.append(reached)
-        size = shares.sum(axis=0)
-        large = size >= min(smallest, size.max())
-        if settled and large.all():
-            break
-        if not large.all():
-            pruned.append(len(objective))
-            shares = shares[:, large]
-            total = shares.sum(axis=1, keepdims=True)
-            shares = np.where(total > 0, shares / np.where(total > 0, total, 1), 1 / large.sum())
-        experts = Experts.fit(inputs, poses, shares, prior)
-    return experts, objective, pruned

@@ -10,36 +10,28 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar, Literal
 
-import numpy as np
 from numpy.typing import ArrayLike
 from sklearn.utils import Tags
 from sklearn.utils.validation import validate_data
 
-from silpose.core.errors import InputError
-from silpose.core.parameters import (
-    FLAG,
-    NOT_NEGATIVE,
-    POSITIVE,
-    POSITIVE_INTEGER,
-    PROBABILITY,
-    SEED,
-    Constraint,
-    Constraints,
-    check_parameters,
-    one_of,
-)
-from silpose.core.random_states import RandomState, seed_of
+from silpose.core.parameters import Constraints, check_parameters
+from silpose.core.random_states import RandomState
 from silpose.core.types import Array
-from silpose.regression.mixture.experts import Prior, expectation_maximisation
-from silpose.regression.mixture.local_clusters import local_clusters, warn_of_few
-from silpose.regression.mixture.prediction import MixturePredictions
-from silpose.regression.mixture.reduction import PoseDirections
-from silpose.regression.mixture.shared_regressor import SharedFit, SharedRegressor
+from silpose.regression.blocks import Blocks
+from silpose.regression.centres import evenly_spaced
+from silpose.regression.examples import StreamedExamples
+from silpose.regression.mixture.constraints import CONSTRAINTS
+from silpose.regression.mixture.fitting import MixtureFitting
+from silpose.regression.mixture.local_clusters import warn_of_few
+from silpose.regression.mixture.reduced_examples import ReducedArrays, ReducedBlocks
+from silpose.regression.mixture.shared_regressor import SharedFit
 from silpose.regression.regressor import Regressor
-from silpose.regression.scales import scales_of, units_of
+from silpose.regression.scales import scales_of
+
+_SAMPLE = 10_000  # examples of blocks from which the reduction and the first clusters are found
 
 
-class MixtureOfRegressors(MixturePredictions):
+class MixtureOfRegressors(MixtureFitting):
     """p(x|z) = Σ_k π_k(z) N(A_k ψ(z) + b_k, Λ_k) (Eq. 11), Λ_k diagonal.
 
     The gate π_k(z) is the share of π_k N(ψ; μ_k, S_k) among all components and a background
@@ -111,28 +103,7 @@ class MixtureOfRegressors(MixturePredictions):
     choose_mixture : Chooses parameters by held-out likelihood.
     """
 
-    constraints: ClassVar[Constraints] = {
-        "clusters": POSITIVE_INTEGER,
-        "dimensions": POSITIVE_INTEGER,
-        "damping": POSITIVE,
-        "temperature": POSITIVE,
-        "noise_width": POSITIVE,
-        "outlier_probability": PROBABILITY,
-        "floor": POSITIVE,
-        "agreement": POSITIVE,
-        "calibration_exponent": POSITIVE,
-        "point_estimate": one_of("mode", "mean"),
-        "shared_width": POSITIVE,
-        "shared_temperature": POSITIVE,
-        "smallest": POSITIVE_INTEGER,
-        "max_iter": POSITIVE_INTEGER,
-        "tol": NOT_NEGATIVE,
-        "shared": Constraint(
-            "a Regressor or None", lambda value: value is None or isinstance(value, Regressor)
-        ),
-        "hellinger": FLAG,
-        "random_state": SEED,
-    }
+    constraints: ClassVar[Constraints] = CONSTRAINTS
 
     def __init__(
         self,
@@ -208,36 +179,51 @@ class MixtureOfRegressors(MixturePredictions):
         """
         check_parameters(self)
         inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
-        if self.clusters > len(inputs):
-            raise InputError(
-                f"clusters must be at most the number of examples, n_samples = {len(inputs)}, "
-                f"not {self.clusters}"
-            )
+        self._check_clusters(len(inputs))
         warn_of_few(len(inputs), self.clusters, self.smallest)
         self._single = outputs.ndim == 1
         outputs = outputs.reshape(len(outputs), -1).astype(float)
         self.mean_, self.scale_, self.varies_ = scales_of(outputs)
-        poses = (outputs - self.mean_) / self.scale_
-        seed = seed_of(self.random_state)
-        reduction = PoseDirections(self.dimensions, hellinger=self.hellinger, random_state=seed)
-        compared = poses
-        if self.units is not None:  # the geometric mean of both scales
-            compared = poses * np.sqrt(self.scale_ / units_of(self.units, len(self.scale_)))
-        self.reduction_ = reduction.fit(inputs, compared)
-        psi = self.reduction_.transform(inputs)
-        labels = local_clusters(psi, compared, self.clusters, self.smallest, seed)
-        prior = Prior.typical(psi, poses, labels, self.damping, self.floor)
-        self.experts_, self.objective_, self.pruned_ = expectation_maximisation(
-            psi, poses, labels, prior, 0.5 * self.smallest, self.max_iter, self.tol
-        )
-        self.n_iter_ = len(self.objective_)
-        self.shared_ = None
-        if self.shared is not None:
-            shares, _ = self.experts_.responsibilities(psi, poses, prior)
-            self.shared_ = SharedRegressor.within(fit_shared(self.shared, inputs, poses), shares)
-        widest = self.experts_.spreads.max(axis=0)
-        self.background_ = np.stack([psi.mean(axis=0), np.maximum(psi.var(axis=0), widest)])
-        return self
+
+        def whole(psi: Array, poses: Array) -> ReducedArrays:
+            return ReducedArrays(inputs, psi, poses, fit_shared)
+
+        return self._fit(inputs, outputs, whole)
+
+    def fit_blocks(self, blocks: Blocks) -> MixtureOfRegressors:
+        """Fit to examples that need not be in memory at once.
+
+        Memory depends on the number of components, not on that of the examples. The reduction of
+        inputs and the clusters that EM starts from are those of an even sample of at most 10,000
+        examples; EM, the shared regressor and the background go over all. So the result is that
+        of `fit`, to rounding, for up to 10,000 examples; for more, `fit` takes its start from all
+        of them. Blocks are read several times in every round, by the workers of
+        `silpose.core.parallel`.
+
+        Parameters
+        ----------
+        blocks : sequence
+            As of `Regressor.fit_blocks`.
+
+        Raises
+        ------
+        InputError
+            If a parameter or a block cannot be used; the block is named by its index.
+        """
+        check_parameters(self)
+        survey = StreamedExamples(blocks, self.hellinger)
+        whole = survey.whole
+        self._check_clusters(whole.count)
+        warn_of_few(whole.count, self.clusters, self.smallest)
+        self._single = False
+        self.n_features_in_ = len(whole.mean_f)
+        self.mean_, (self.scale_, self.varies_) = whole.mean_y, whole.scales
+        inputs, outputs = survey.read(evenly_spaced(whole.count, _SAMPLE))
+
+        def streamed(psi: Array, poses: Array) -> ReducedBlocks:
+            return ReducedBlocks(blocks, whole.count, self.reduction_, self.mean_, self.scale_)
+
+        return self._fit(inputs, outputs, streamed)
 
     def __sklearn_tags__(self) -> Tags:
         tags = super().__sklearn_tags__()

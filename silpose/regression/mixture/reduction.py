@@ -14,18 +14,19 @@ from silpose.regression.hellinger import square_roots
 _SHRINKAGE = 1.0  # of the scatter towards a multiple of the identity
 
 
-def whitening(residuals: Array) -> Array:
+def whitening(scatter: Array) -> Array:
     """Matrix after which the scatter of residuals is about the identity.
 
     Parameters
     ----------
-    residuals : ndarray, shape (n, d)
+    scatter : ndarray, shape (d, d)
+        Mean of the residuals' outer products.
 
     Returns
     -------
     matrix : ndarray, shape (d, d)
     """
-    scatter = residuals.T @ residuals / len(residuals)
+    scatter = scatter.copy()
     typical = max(np.trace(scatter) / len(scatter), 1e-12)
     scatter.flat[:: len(scatter) + 1] += _SHRINKAGE * typical
     values, vectors = np.linalg.eigh(scatter)
@@ -83,7 +84,8 @@ class PoseDirections(TransformerMixin, BaseEstimator):
         size = np.maximum(np.bincount(labels, minlength=count), 1)
         sums = np.zeros((count, roots.shape[1]))
         np.add.at(sums, labels, roots)
-        white = whitening(roots - (sums / size[:, None])[labels])
+        residuals = roots - (sums / size[:, None])[labels]
+        white = whitening(residuals.T @ residuals / len(residuals))
         self.mean_ = roots.mean(axis=0)
         _, _, axes = np.linalg.svd((roots - self.mean_) @ white, full_matrices=False)
         self.components_ = white @ axes[: self.dimensions].T

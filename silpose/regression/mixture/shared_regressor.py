@@ -69,9 +69,25 @@ class SharedRegressor:
         shares : ndarray, shape (n, K)
             Responsibility of each component for each example.
         """
-        size = shares.sum(axis=0)[:, None] + _STRENGTH
-        near = (shares.T @ fit.squares + _STRENGTH * fit.squares.mean(axis=0)) / size
-        return cls(fit.regressor, near)
+        sums = shares.T @ fit.squares
+        return cls.of(fit.regressor, shares.sum(axis=0), sums, fit.squares.mean(axis=0))
+
+    @classmethod
+    def of(cls, regressor: Regressor, size: Array, sums: Array, mean: Array) -> SharedRegressor:
+        """Measure the errors as `within` does, given sums over examples.
+
+        Parameters
+        ----------
+        regressor : Regressor
+            Fitted.
+        size : ndarray, shape (K,)
+            Sum of each component's responsibilities.
+        sums : ndarray, shape (K, D)
+            Sums of squared errors, weighted by them.
+        mean : ndarray, shape (D,)
+            Of the squared errors of all examples.
+        """
+        return cls(regressor, (sums + _STRENGTH * mean) / (size[:, None] + _STRENGTH))
 
     def product(
         self, estimated: Array, means: Array, noises: Array, width: float, which: Indices

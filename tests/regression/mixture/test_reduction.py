@@ -7,7 +7,7 @@ from silpose.regression.mixture import PoseDirections, whitening
 
 def test_whitening_divides_by_the_scatter_and_its_mean():
     residuals = np.random.default_rng(0).normal(size=(500, 3)) * [0.1, 1.0, 5.0]
-    whitened = residuals @ whitening(residuals)
+    whitened = residuals @ whitening(residuals.T @ residuals / 500)
     scatter = np.linalg.eigvalsh(residuals.T @ residuals / 500)
     expected = np.diag(scatter / (scatter + scatter.mean()))
     assert whitened.T @ whitened / 500 == pytest.approx(expected, abs=1e-9)
