@@ -50,9 +50,9 @@ class MixtureOfRegressors(MixturePredictions):
     ----------
     clusters : int, default=60
         Number of clusters of inputs, before they are split by connectivity in pose space. Less
-        than `smallest` examples for each bring a warning.
+        than `smallest` examples for each bring a warning, as do less than 200 without `shared`.
     dimensions : int, default=90
-        Largest dimension of the reduced input ψ.
+        Largest dimension of the reduced input ψ, and a third of the training examples at most.
     damping : float, default=30.0
         λ of each component's ridge regression, outputs being at unit variance.
     temperature : float, default=8.0
@@ -213,7 +213,7 @@ class MixtureOfRegressors(MixturePredictions):
                 f"clusters must be at most the number of examples, n_samples = {len(inputs)}, "
                 f"not {self.clusters}"
             )
-        warn_of_few(len(inputs), self.clusters, self.smallest)
+        warn_of_few(len(inputs), self.clusters, self.smallest, self.shared is None)
         self._single = outputs.ndim == 1
         outputs = outputs.reshape(len(outputs), -1).astype(float)
         self.mean_, self.scale_, self.varies_ = scales_of(outputs)
