@@ -23,6 +23,7 @@ from silpose.core.serialisation import (
 )
 from silpose.core.types import Array, Examples
 from silpose.tracking.base_tracker import Run, Tracker
+from silpose.tracking.checks import check_table
 from silpose.tracking.key_poses import KeyExamples, KeyPoseComparison, KeyPoses
 from silpose.tracking.local_regression import regress_locally, weights_around
 from silpose.tracking.silhouette_regressor import SilhouetteRegressor
@@ -70,7 +71,9 @@ class KeyPoseTracker(Tracker[Run]):
 
     def key_poses(self, takes: Examples) -> KeyPoses:
         """Cluster the poses of training takes ``(z, x)``."""
-        return KeyPoses.fit(takes, SPACES[self.space], self.keep, seed_of(self.random_state))
+        space = SPACES[self.space]
+        check_table(takes[0][1], f"poses in the space {self.space!r}", len(space.columns))
+        return KeyPoses.fit(takes, space, self.keep, seed_of(self.random_state))
 
     @abstractmethod
     def track_separately(self, z: Array) -> tuple[Array, Array]:
