@@ -16,6 +16,9 @@ from silpose.silhouette import Body, Camera
 
 os.environ.setdefault("RERUN_STRICT", "1")  # a wrong call is an error, not a warning
 
+# A busy machine is no failure: tests that must be quick measure their own processor time.
+hypothesis.settings.register_profile("usual", deadline=None)
+hypothesis.settings.load_profile("usual")
 hypothesis.settings.register_profile("long", max_examples=10_000, deadline=None)
 
 PROJECT = Path(__file__).parents[1]

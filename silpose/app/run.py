@@ -88,27 +88,27 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
         "recording", given["recording"], experiment=name, settings=text, defaults=defaults,
         rows=CATALOGUE.get(name, Entry("")).rows,
     )  # fmt: skip
-    try:
-        job = prepared(components=replace(components, run=folder))
-        with (
-            folder.claimed(),
-            timing() as seconds,
-            engine(options.engine, options.n_jobs, options.address),
-            threadpool_limits(1),  # results must not depend on the number of processors
-        ):
-            result = job()
-            write_result(folder, result, options.seed, seconds)
-    except KeyboardInterrupt:
-        folder.abandon(keep=False)
-        raise
-    except BaseException as error:
-        kept = folder.abandon()
-        words = f"'{folder.folder}' keeps {', '.join(kept)}"
-        if kept and isinstance(error, InputError):
-            raise InputError(f"{error}; {words}") from error
-        if kept:
-            error.add_note(words)
-        raise
+    with folder.claimed():  # outside of `try`: a folder that is another run's is left alone
+        try:
+            job = prepared(components=replace(components, run=folder))
+            with (
+                timing() as seconds,
+                engine(options.engine, options.n_jobs, options.address),
+                threadpool_limits(1),  # results must not depend on the number of processors
+            ):
+                result = job()
+                write_result(folder, result, options.seed, seconds)
+        except KeyboardInterrupt:
+            folder.abandon(keep=False)
+            raise
+        except BaseException as error:
+            kept = folder.abandon()
+            words = f"'{folder.folder}' keeps {', '.join(kept)}"
+            if kept and isinstance(error, InputError):
+                raise InputError(f"{error}; {words}") from error
+            if kept:
+                error.add_note(words)
+            raise
     return load_run(folder.folder)
 
 

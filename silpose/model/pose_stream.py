@@ -17,6 +17,7 @@ from silpose.model.poses import Poses
 from silpose.silhouette.masks import MaskReader, MaskSource
 from silpose.silhouette.person import MaskFacts, PersonSelector
 from silpose.tracking import TimedStream
+from silpose.tracking.checks import checked_time
 
 if TYPE_CHECKING:
     from silpose.model.pose_model import PoseModel
@@ -56,7 +57,7 @@ class PoseStream:
         tracking = None if model.tracker is None else TimedStream(model.tracker)
         self._estimate: Estimate = self._alone if tracking is None else tracking.step
         self._fitting: FitterStream | None = None
-        self._time = -self._interval
+        self._time, self._last = -self._interval, -np.inf
 
     def step(self, mask: ArrayLike, time: float | None = None) -> Poses:
         """Estimate the pose behind the next mask.
@@ -77,7 +78,8 @@ class PoseStream:
         Raises
         ------
         InputError
-            If the mask cannot be read, or its time is not after that of the frame before.
+            If the mask cannot be read, or its time is no finite number, or not after that of the
+            frame before.
         """
         with OneThread():
             return self._step(mask, time)
@@ -85,14 +87,14 @@ class PoseStream:
     __call__ = step
 
     def _step(self, mask: ArrayLike, time: float | None) -> Poses:
+        now = self._time + self._interval if time is None else checked_time(time, self._last)
+        passed = now - self._time
         alone, facts = self._selector.step(self._reader.step(mask))
-        passed = self._interval if time is None else float(time) - self._time
-        now = self._time + passed
         if not (seen := bool(facts.seen[0])):
             alone = np.zeros_like(alone)  # what is no person has nothing to fit to
         z = self._describe(alone, seen)
         x, state = self._estimate(z, now)
-        self._time = now
+        self._time = self._last = now
         if self._fitter is not None:
             return self._fit(alone, x, passed, facts)
         confidence = confidence_of(self._model, z[None], x[None], facts)

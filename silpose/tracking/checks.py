@@ -27,6 +27,18 @@ def checked_rate(frames_per_second: object) -> float:
     return float(rate)
 
 
+def checked_time(time: object, last: float) -> float:
+    """Check the time of a frame, in seconds, against that of the frame before."""
+    if isinstance(time, bool) or not isinstance(time, Real) or not np.isfinite(float(time)):
+        raise InputError(f"time must be a finite number of seconds, not {time!r}")
+    if not float(time) > last:
+        raise InputError(
+            f"time {float(time):g} is not after {last:g}, that of the frame before: "
+            "give seconds that increase"
+        )
+    return float(time)
+
+
 def numbers(values: ArrayLike, what: str) -> Array:
     """Convert to an array of numbers."""
     try:

@@ -11,10 +11,17 @@ from sklearn.base import BaseEstimator
 from sklearn.utils.validation import check_is_fitted
 
 from silpose.core.errors import InputError
-from silpose.core.parameters import POSITIVE, Constraints, check_parameters
+from silpose.core.parameters import (
+    POSITIVE,
+    POSITIVE_INTEGER,
+    Constraints,
+    check_parameters,
+    check_values,
+)
 from silpose.core.serialisation import State, arrays_of, estimator_from
 from silpose.core.types import Array
 from silpose.regression.moments import Moments
+from silpose.tracking.checks import numbers
 from silpose.tracking.takes import checked_poses
 
 _FITTED = ("mean_", "scale_", "coef_")
@@ -99,9 +106,7 @@ class SecondOrderDynamics(BaseEstimator):
         predicted : ndarray, shape (..., D)
         """
         check_is_fitted(self)
-        last, older = (
-            (np.asarray(x, dtype=float) - self.mean_) / self.scale_ for x in (previous, before)
-        )
+        last, older = ((self._poses(x) - self.mean_) / self.scale_ for x in (previous, before))
         straight = 2 * last - older
         ahead = straight + np.concatenate([straight, last], axis=-1) @ self.coef_
         return ahead * self.scale_ + self.mean_
@@ -126,10 +131,20 @@ class SecondOrderDynamics(BaseEstimator):
         start : array-like, shape (2, D)
         frames : int
         """
-        poses = [np.asarray(x, dtype=float) for x in np.asarray(start)[:2]]
+        check_values("frames", POSITIVE_INTEGER, frames)
+        poses = list(self._poses(start)[:2])
+        if len(poses) < 2:
+            raise InputError("dynamics start from two poses: give the first two")
         while len(poses) < frames:
             poses.append(self.predict(poses[-1], poses[-2]))
         return np.array(poses[:frames])
+
+    def _poses(self, x: ArrayLike) -> Array:
+        """Poses (..., D) as an array."""
+        poses = numbers(x, "poses")
+        if poses.shape[-1:] != self.mean_.shape:
+            raise InputError(f"poses have shape {poses.shape}: expected (…, {len(self.mean_)})")
+        return poses
 
     def to_arrays(self) -> State:
         """Return parameters and fitted attributes as arrays and numbers."""

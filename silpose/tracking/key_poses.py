@@ -15,6 +15,7 @@ from typing import Self
 import numpy as np
 from scipy.sparse import csr_array, vstack
 
+from silpose.core.errors import InputError
 from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array, Indices
 from silpose.regression.mixture import whitening
@@ -59,6 +60,11 @@ class KeyPoses:
             Seed of k-means.
         """
         whole = Moments.total(Moments.of_outputs(block.x) for block in takes.blocks())
+        if takes.columns[1] != len(space.columns):
+            raise InputError(
+                f"poses have {takes.columns[1]} columns: in the space '{space.name}' they have "
+                f"{len(space.columns)}"
+            )
         deviation = np.maximum(np.sqrt(whole.squares / whole.count), 1e-3 * space.units)
         mean, scale = whole.mean_y, np.sqrt(deviation * space.units)
 

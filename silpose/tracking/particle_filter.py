@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from copy import deepcopy
 from dataclasses import dataclass
+from numbers import Integral
 
 import numpy as np
 
@@ -200,5 +201,5 @@ def filter_take(
 
 def check_modes(count: int) -> None:
     """Refuse another number of modes than there can be."""
-    if not 1 <= count <= MODES:
-        raise InputError(f"1 to {MODES} modes can be asked for, not {count}")
+    if isinstance(count, bool) or not isinstance(count, Integral) or not 1 <= count <= MODES:
+        raise InputError(f"1 to {MODES} modes can be asked for, not {count!r}")

@@ -13,6 +13,9 @@ from silpose.tracking.track import Track, over_a_break
 GAP = 4.2
 """Intervals of the tracker between two frames up to which descriptors in between are likely."""
 
+LONGEST = 150
+"""Intervals of the tracker that a break counts as at most: after it, nothing is known any more."""
+
 
 def track_at(
     tracker: Tracker, z: Array, time: Array, lag: float = 0.0
@@ -43,7 +46,7 @@ def track_at(
         At the tracker's own rate.
     """
     rate = tracker.frames_per_second
-    ticks = (time - time[0]) * rate
+    ticks = _shortened((time - time[0]) * rate)
     wait = round(lag * rate)
     if _even(ticks):
         track = tracker.track(z, lag=wait)
@@ -114,6 +117,12 @@ def times_of(
             "give seconds that increase"
         )
     return seconds
+
+
+def _shortened(ticks: Array) -> Array:
+    """Shorten breaks, so that a clock that jumps, or counts in milliseconds, needs no memory."""
+    steps = np.diff(ticks, prepend=0)
+    return np.minimum(steps, LONGEST).cumsum() if (steps > LONGEST).any() else ticks
 
 
 def _even(ticks: Array) -> bool:

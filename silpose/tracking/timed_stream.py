@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from silpose.core.errors import InputError
 from silpose.core.types import Array
 from silpose.tracking.base_tracker import Tracker, TrackerStream
-from silpose.tracking.resampling import GAP
+from silpose.tracking.checks import checked_time
+from silpose.tracking.resampling import GAP, LONGEST
 from silpose.tracking.track import over_a_break
 
 _SOON = 0.75  # share of the tracker's interval before which a frame is in between two of its own
-_LONGEST = 150  # of its intervals that are filled with frames without anything to see
 
 
 class TimedStream:
@@ -53,14 +52,9 @@ class TimedStream:
         Raises
         ------
         InputError
-            If the time is not after that of the frame before.
+            If the time is no finite number, or not after that of the frame before.
         """
-        time = self._next() if time is None else float(time)
-        if not time > self._last:
-            raise InputError(
-                f"time {time:g} is not after {self._last:g}, that of the frame before: "
-                "give seconds that increase"
-            )
+        time = self._next() if time is None else checked_time(time, self._last)
         since = time - self._last
         x, state = self._step(z, time, since)
         self._state = over_a_break(state, self._state, since)
@@ -76,7 +70,7 @@ class TimedStream:
             return self._running.fork().step(z)
         intervals = max(1, round(passed))
         near = since <= GAP * self._interval
-        for k in range(1, min(intervals, _LONGEST)):
+        for k in range(1, min(intervals, LONGEST)):
             share = np.clip((time - self._own - k * self._interval) / since, 0, 1)
             between = share * self._before + (1 - share) * z
             self._running.step(between if near else self._nothing)

@@ -7,6 +7,7 @@ import silpose
 from silpose.app.config import load
 from silpose.core.errors import InputError
 from silpose.core.parallel import engine
+from silpose.recording.runs.claim import claimed
 
 
 def test_a_run_is_made_from_overrides_or_settings(fast, tmp_path):
@@ -69,6 +70,15 @@ def test_a_failed_run_leaves_no_folder(fast, tmp_path, monkeypatch):
     with pytest.raises(RuntimeError, match="in the middle"):
         silpose.run_experiment([*fast, f"recording.root={tmp_path / 'recordings'}"])
     assert not list((tmp_path / "recordings").iterdir())
+
+
+def test_a_folder_in_which_another_run_works_is_left_alone(fast, tmp_path):
+    pytest.importorskip("fcntl")
+    folder = tmp_path / "single_image" / "mine"
+    folder.mkdir(parents=True)  # empty until the other run has something to write
+    with claimed(folder), pytest.raises(InputError, match="another run is working in"):
+        silpose.run_experiment([*fast, f"recording.root={tmp_path}", "recording.name=mine"])
+    assert folder.is_dir()
 
 
 def test_the_public_names_are_there():

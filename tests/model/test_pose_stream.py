@@ -62,11 +62,13 @@ def test_without_a_tracker_each_frame_is_fitted_by_itself(model, sequence):
     assert np.isfinite(stream.step(sequence.masks[0]).x).all()
 
 
-def test_time_goes_on(model, sequence):
-    stream = model.stream()
+@pytest.mark.parametrize("tracked", [True, False])
+def test_time_goes_on(model, sequence, tracked):
+    stream = (model if tracked else replace(model, tracker=None)).stream(fit=not tracked)
     stream.step(sequence.masks[0], 1.0)
-    with pytest.raises(InputError, match="not after"):
-        stream.step(sequence.masks[1], 1.0)
+    for time in (1.0, 0.5, np.nan, np.inf, "a"):
+        with pytest.raises(InputError, match=r"not after|must be a finite number"):
+            stream.step(sequence.masks[1], time)
     assert stream.step(sequence.masks[1]).time[0] == pytest.approx(1 + 1 / 15)
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
+from silpose.regression import MixtureOfRegressors
 from silpose.tracking import (
     BeliefTracker,
     MultipleHypothesisTracker,
@@ -45,6 +46,14 @@ WRONG = {
 def test_training_takes_that_cannot_be_used_are_named(tracker, message, takes):
     with pytest.raises(InputError, match=message):
         tracker.fit(takes)
+
+
+@pytest.mark.parametrize(
+    "tracker", [BeliefTracker(), MultipleHypothesisTracker(MixtureOfRegressors(2))]
+)
+def test_poses_of_another_space_are_refused(tracker):
+    with pytest.raises(InputError, match="poses have 5 columns: in the space 'angles' they have 55"):
+        tracker.fit([(Z, X)])
 
 
 def test_takes_that_can_be_used_become_arrays():

@@ -57,3 +57,14 @@ def test_survives_saving(takes):
     assert again.damping == 3.0
     x = takes[0][1]
     assert np.array_equal(again.predict(x[1], x[0]), model.predict(x[1], x[0]))
+
+
+def test_poses_that_it_cannot_start_from_are_refused(takes):
+    dynamics = SecondOrderDynamics().fit([x for _, x in takes])
+    x = takes[0][1]
+    with pytest.raises(InputError, match="poses have shape"):
+        dynamics.predict(x[1, :4], x[0, :4])
+    with pytest.raises(InputError, match="give the first two"):
+        dynamics.run(x[:1], 5)
+    with pytest.raises(InputError, match="frames must be a positive integer, not 'a'"):
+        dynamics.run(x[:2], "a")

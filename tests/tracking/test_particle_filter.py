@@ -50,7 +50,7 @@ def test_a_take_is_filtered_as_frame_by_frame(tracker, unseen):
         assert np.array_equal(means[frame], run.modes[1])
 
 
-@pytest.mark.parametrize("count", [0, 9])
+@pytest.mark.parametrize("count", [0, 9, 1.5, "a", None, True])
 def test_another_number_of_modes_is_refused(count):
     with pytest.raises(InputError, match="1 to 8 modes"):
         check_modes(count)

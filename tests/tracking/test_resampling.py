@@ -94,3 +94,11 @@ def test_times_that_cannot_be_are_refused(time, words):
 def test_times_follow_from_a_rate():
     assert times_of(3, 10).tolist() == [0, 0.1, 0.2]
     assert times_of(3) is None
+
+
+def test_a_clock_that_jumps_or_counts_milliseconds_needs_no_more_memory(tracker):
+    z = np.full((3, tracker.columns[0]), np.nan)
+    z[[0, 2]] = tracker.examples_.descriptors[0] ** 2
+    for time in ([0.0, 0.1, 1e12], [0.0, 1e9, 1e9 + 0.1], [1.7e9, 1.7e9 + 0.05, 1e300]):
+        x, state, track = track_at(tracker, z, np.array(time))
+        assert np.isfinite(x).all() and len(state) == 3 and len(track.x) < 500

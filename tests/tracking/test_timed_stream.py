@@ -77,9 +77,9 @@ def test_a_long_break_takes_no_time(tracker, unseen):
     assert np.isfinite(found).all()
 
 
-@pytest.mark.parametrize("time", [0.5, 0.4, np.nan])
+@pytest.mark.parametrize("time", [0.5, 0.4, np.nan, np.inf, "a", True])
 def test_time_goes_on(tracker, unseen, time):
     stream = TimedStream(tracker)
     stream.step(unseen[0][0], 0.5)
-    with pytest.raises(InputError, match="not after"):
+    with pytest.raises(InputError, match=r"not after 0.5|must be a finite number"):
         stream.step(unseen[0][1], time)

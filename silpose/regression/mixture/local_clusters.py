@@ -16,6 +16,7 @@ from silpose.core.types import Array, Indices
 
 _REACH = 2.0  # in units of the distance within which nearly all poses have a neighbour
 _NEARLY_ALL = 0.95
+_FEW = 200  # examples of which components alone estimate no better than the nearest one
 
 
 def local_clusters(
@@ -71,9 +72,12 @@ def _absorb(points: Array, labels: Indices, smallest: int) -> Indices:
     return np.where(own[labels] >= 0, own[labels], nearest)
 
 
-def warn_of_few(examples: int, clusters: int, smallest: int) -> None:
-    """Warn where components can have only few examples each, which do not determine them."""
-    if examples < smallest * clusters:
+def warn_of_few(examples: int, clusters: int, smallest: int, alone: bool) -> None:
+    """Warn where components can have only few examples each, which do not determine them.
+
+    Components alone, without a shared regressor, may then estimate worse than the nearest example.
+    """
+    if examples < max(smallest * clusters, _FEW if alone else 0):
         warnings.warn(
             f"{examples} examples are few for clusters={clusters}: a RidgeRegressor will "
             "estimate better, alone or as shared=RidgeRegressor()",

@@ -42,9 +42,9 @@ class MixtureOfRegressors(MixtureFitting):
     ----------
     clusters : int, default=60
         Number of clusters of inputs, before they are split by connectivity in pose space. Less
-        than `smallest` examples for each bring a warning.
+        than `smallest` examples for each bring a warning, as do less than 200 without `shared`.
     dimensions : int, default=90
-        Largest dimension of the reduced input ψ.
+        Largest dimension of the reduced input ψ, and a third of the training examples at most.
     damping : float, default=30.0
         λ of each component's ridge regression, outputs being at unit variance.
     temperature : float, default=8.0
@@ -180,7 +180,7 @@ class MixtureOfRegressors(MixtureFitting):
         check_parameters(self)
         inputs, outputs = validate_data(self, X, y, dtype=float, multi_output=True, y_numeric=True)
         self._check_clusters(len(inputs))
-        warn_of_few(len(inputs), self.clusters, self.smallest)
+        warn_of_few(len(inputs), self.clusters, self.smallest, self.shared is None)
         self._single = outputs.ndim == 1
         outputs = outputs.reshape(len(outputs), -1).astype(float)
         self.mean_, self.scale_, self.varies_ = scales_of(outputs)
@@ -214,7 +214,7 @@ class MixtureOfRegressors(MixtureFitting):
         survey = StreamedExamples(blocks, self.hellinger)
         whole = survey.whole
         self._check_clusters(whole.count)
-        warn_of_few(whole.count, self.clusters, self.smallest)
+        warn_of_few(whole.count, self.clusters, self.smallest, self.shared is None)
         self._single = False
         self.n_features_in_ = len(whole.mean_f)
         self.mean_, (self.scale_, self.varies_) = whole.mean_y, whole.scales

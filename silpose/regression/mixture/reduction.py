@@ -12,6 +12,7 @@ from silpose.core.types import Array
 from silpose.regression.hellinger import square_roots
 
 _SHRINKAGE = 1.0  # of the scatter towards a multiple of the identity
+_SHARE = 1 / 3  # of dimensions in examples: with more, unseen inputs lie outside of all seen ones
 
 
 def whitening(scatter: Array) -> Array:
@@ -42,7 +43,7 @@ class PoseDirections(TransformerMixin, BaseEstimator):
     Parameters
     ----------
     dimensions : int, default=90
-        Largest dimension of ψ.
+        Largest dimension of ψ, and a third of the training examples at most.
     poses : float, default=0.18
         Number of clusters of poses, as a share of the training examples.
     hellinger : bool, default=True
@@ -88,7 +89,7 @@ class PoseDirections(TransformerMixin, BaseEstimator):
         white = whitening(residuals.T @ residuals / len(residuals))
         self.mean_ = roots.mean(axis=0)
         _, _, axes = np.linalg.svd((roots - self.mean_) @ white, full_matrices=False)
-        self.components_ = white @ axes[: self.dimensions].T
+        self.components_ = white @ axes[: min(self.dimensions, max(1, int(_SHARE * len(roots))))].T
         return self
 
     def transform(self, z: ArrayLike) -> Array:

@@ -1,6 +1,11 @@
+import warnings
+
 import numpy as np
 import pytest
 from sklearn.linear_model import Ridge
+from sklearn.neighbors import KNeighborsRegressor
+from sklearn.pipeline import make_pipeline
+from sklearn.preprocessing import FunctionTransformer
 from sklearn.utils.estimator_checks import parametrize_with_checks
 
 from silpose.core.errors import InputError
@@ -67,3 +72,23 @@ def test_inputs_that_cannot_be_used_are_refused(two_valued):
 )
 def test_is_a_scikit_learn_estimator(estimator, check):
     check(estimator)
+
+
+@pytest.mark.parametrize(("examples", "features"), [(50, 40), (100, 100), (200, 100)])
+def test_few_examples_are_no_worse_than_one_neighbour_without_a_word(examples, features):
+    rng = np.random.default_rng(1)
+    hidden = rng.normal(size=(examples + 100, 3))
+    hills = hidden @ rng.normal(size=(3, features)) - rng.normal(size=features)
+    z = rng.poisson(40 * np.exp(-(hills**2)) + 1).astype(float)
+    x = np.sin(hidden @ rng.normal(size=(3, 20))) * rng.uniform(1, 30, 20)
+    train, test = slice(examples), slice(examples, None)
+
+    def error(regressor):
+        return np.abs(regressor.fit(z[train], x[train]).predict(z[test]) - x[test]).mean()
+
+    nearest = error(make_pipeline(FunctionTransformer(np.sqrt), KNeighborsRegressor(1)))
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        worse = error(MixtureOfRegressors(5)) > nearest
+    assert said or not worse
+    assert error(MixtureOfRegressors(5, shared=RidgeRegressor())) < nearest
