@@ -21,7 +21,8 @@ from silpose.experiments.figures import (
 from silpose.recording import palette
 from silpose.recording.figure_style import styled
 
-COLOURS = dict(zip(KINDS, SERIES, strict=False))
+FIRST, _, *_OTHERS = SERIES  # the second is that of the less probable pose above
+COLOURS = dict(zip(KINDS, (*_OTHERS, NEUTRAL), strict=True))
 _HEIGHTS, _HALF = (-1.05, 0.85), 0.85  # metres, of what a panel shows around the hips
 _BESIDE = 0.45  # of a person's height, from the first pose to the second
 _APART = 10  # frames between two samples of one kind, at least
@@ -47,8 +48,8 @@ def ambiguity_figure(
     kinds : ndarray of str, shape (n,)
         How they differ: one of `KINDS`.
     """
-    figure = Figure(figsize=(12, 6.6), layout="constrained")
-    grid = figure.add_gridspec(2, 1, height_ratios=[2.2, 1])
+    figure = Figure(figsize=(12, 5.6), layout="constrained")
+    grid = figure.add_gridspec(2, 1, height_ratios=[1.9, 1])
     above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     _draw_samples(above, space, shares, means, ambiguous, kinds)
     _plot_probabilities(below.subplots(), shares, kinds)
@@ -90,7 +91,7 @@ def _draw_samples(
 
 
 def _plot_probabilities(axes: Axes, shares: Array, kinds: NDArray[np.str_]) -> None:
-    axes.bar(range(len(shares)), shares[:, 0], 1.0, color=NEUTRAL, label="most probable pose")
+    axes.bar(range(len(shares)), shares[:, 0], 1.0, color=FIRST, label="most probable pose")
     for kind, colour in COLOURS.items():
         own = np.flatnonzero(kinds == kind)
         axes.bar(own, shares[own, 1], 1.0, shares[own, 0], color=colour, label=f"second: {kind}")

@@ -7,6 +7,7 @@ from functools import partial
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from silpose.core.parameters import POSITIVE, check_values
 from silpose.core.stages import stage
@@ -69,12 +70,14 @@ def _figure(nu: float, objective: Array, kept: Indices, norms: Array) -> Figure:
     grid["kept"].set(xlabel="iteration", ylim=(0, None), title="number of columns left")
     for axes in (grid["objective"], grid["kept"]):
         axes.set_xlim(1, len(kept))
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     every = norms[:, :: max(1, norms.shape[1] // 150)]
     with np.errstate(divide="ignore"):
         logs, last = np.log10(every), every[-1] > 0
     grid["lines"].plot(iterations, logs[:, ~last], color=NEUTRAL, lw=0.5)
     grid["lines"].plot(iterations, logs[:, last], color=SERIES[0], lw=1.2)
     grid["lines"].set(xlabel="iteration", ylabel="log₁₀ ‖a‖", xlim=(1, len(kept)))
+    grid["lines"].xaxis.set_major_locator(MaxNLocator(integer=True))
     grid["lines"].set_title("columns that stay (coloured) and go (grey)")
     headline(
         figure, f"A relevance vector machine becomes sparse: {kept[-1]} of {norms.shape[1]} stay",

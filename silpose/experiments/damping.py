@@ -11,7 +11,7 @@ from silpose.core.parallel import parallel_map
 from silpose.core.parameters import FROM_0_TO_1, check_values
 from silpose.core.stages import stage
 from silpose.core.types import Metrics
-from silpose.experiments.figures import NEUTRAL, SERIES, headline, legend_above
+from silpose.experiments.figures import NEUTRAL, headline, legend_above
 from silpose.experiments.setup import Components, prepare_tracking, tidy
 from silpose.model import TrackerTraining
 from silpose.recording import Recording, Result, palette, record_study
@@ -20,6 +20,8 @@ from silpose.recording.figure_style import styled
 from silpose.tracking import Estimate, SinglePoseTracker
 
 FULL = "full C"
+COLOUR = palette.METHODS["state_sensitive"]
+LINE = palette.hexed(COLOUR)
 
 
 def damping(
@@ -50,12 +52,11 @@ def damping(
     record = partial(
         record_study,
         series={name: space.distance(take.x, of_takes[0]) for name, of_takes in tracks.items()},
-        title=f"{in_words(space.metrics[0])} on the first test take",
+        title=in_words(space.metrics[0]),
+        legend="C = sI (orange; the larger s, the darker), full C (grey)",
         frames_per_second=take.frames_per_second,
         colours={
-            name: palette.NEUTRAL
-            if name == FULL
-            else palette.graded(palette.METHODS["state_sensitive"], k, len(values))
+            name: palette.NEUTRAL if name == FULL else palette.graded(COLOUR, k, len(values))
             for k, name in enumerate(linear)
         },
     )
@@ -83,7 +84,7 @@ def _figure(values: Sequence[float], metrics: Metrics, metric: str) -> Figure:
     figure = Figure(figsize=(8, 4.6), layout="constrained")
     axes = figure.subplots()
     errors = [metrics[f"s={s:g}"][metric] for s in values]
-    axes.plot(values, errors, "o-", color=SERIES[0], label="C = sI")
+    axes.plot(values, errors, "o-", color=LINE, label="C = sI", clip_on=False)
     axes.axhline(metrics[FULL][metric], color=NEUTRAL, ls="--", lw=2, label="the full matrix C")
     axes.set(xlabel="damping factor s", ylabel=in_words(metric), xlim=(0, 1.01), ylim=(0, None))
     legend_above(axes)

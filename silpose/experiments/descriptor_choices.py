@@ -81,7 +81,7 @@ def descriptor_choices(
     record = partial(
         record_study,
         series={USUAL: series[USUAL], best: series[best]},
-        title=f"{in_words(space.metrics[0])}: the usual values, and the best on validation",
+        title=f"{in_words(space.metrics[0])}, with the usual values and the best on validation",
         frames_per_second=data.test[0].frames_per_second,
     )
     return Result(

@@ -205,7 +205,7 @@ def _record(
             for name, pipeline in pipelines.items()
             if not name.endswith(TRAINED_ON_DEGRADED)
         },
-        title=f"{unit}, trained on clean silhouettes, each degradation rising from nothing",
+        title=f"{unit}, while each degradation in turn rises",
         frames_per_second=take.frames_per_second,
         masks=masks,
     )

@@ -191,7 +191,7 @@ def _record(
     record_study(
         header,
         series={method: ANGLES.distance(take.x, x) for method, x in estimates.items()},
-        title="mean angular error, degrees, one kind of degradation after the other",
+        title="mean angular error, degrees, one degradation after the other",
         frames_per_second=take.frames_per_second,
         masks=[masks[kind][0][k] for k, kind in enumerate(kind_of)],
     )

@@ -182,7 +182,7 @@ def _figure(
     headings.plot(frames[seen], alone, "x", color=NEUTRAL, ms=4, label="single image")
     true = sequence.take.x.copy()
     true[sequence.cut] = np.nan  # a gap
-    plot_headings(headings, space, true, track.x, label="tracker")
+    plot_headings(headings, space, true, track.x, label="hypotheses")
     headings.axvspan(
         *frames[~seen][[0, -1]] + (-0.5, 0.5), color=HAIRLINE, lw=0, label="blank masks"
     )

@@ -66,6 +66,7 @@ def initialisation(components: Components) -> Result:
         record_study,
         series=shares,
         title=f"share of frames within {HEADING_LIMIT_DEG:g}° of the heading, by first frame",
+        span=(0.0, 1.05),
         frames_per_second=described.frames_per_second,
     )
     headline = training.validation_error("tracker")

@@ -18,7 +18,7 @@ from silpose.experiments.figures import headline, without_ink
 from silpose.experiments.setup import Components, prepare_tracking
 from silpose.model import TrackerTraining
 from silpose.recording import Recording, Result, palette, record_study
-from silpose.recording.captions import in_words
+from silpose.recording.captions import coloured, in_words
 from silpose.recording.figure_style import styled
 from silpose.tracking import Estimate
 
@@ -63,14 +63,17 @@ def kernel_widths(
         method: {"error": float(grid.min()), "widest_error": float(grid.max())}
         for method, grid in grids.items()
     }
+    unit = in_words(data.space.metrics[0])
+    methods = {method: palette.METHODS[method] for method in grids}
     record = partial(
         record_study,
         series=series,
-        title="error for several β_x, degrees; the narrower, the darker",
+        title=unit,
+        legend=f"{coloured(methods)}; the narrower the kernel of the pose, the darker",
         frames_per_second=training.described.frames_per_second,
         colours={
-            f"{method} {on_x:g}": palette.graded(palette.METHODS[method], k, len(factors))
-            for method in grids
+            f"{method} {on_x:g}": palette.graded(colour, k, len(factors))
+            for method, colour in methods.items()
             for k, on_x in enumerate(sorted(factors))
         },
     )
@@ -79,8 +82,8 @@ def kernel_widths(
         data.name,
         metrics,
         rows=[*training.selection.rows, *rows],
-        figure=_figure(factors, grids, in_words(data.space.metrics[0])),
-        recording=Recording("tolerance in the kernels' widths", record),
+        figure=_figure(factors, grids, unit),
+        recording=Recording(f"{unit}, with the best and with the worst widths", record),
         headline=headline,
     )
 

@@ -95,7 +95,7 @@ def lookalikes(
     metrics = {
         f"{seen.names[i]}; {seen.names[j]}": {
             "overlap": _overlap(seen.masks[i], seen.masks[j]),
-            space.metrics[0]: float(space.distance(seen.x[i], seen.x[j])),
+            "poses_apart_deg": float(space.distance(seen.x[i], seen.x[j])),
             "heading_mean_deg": float(heading_errors(space, seen.x[i], seen.x[j])),
         }
         for i, j in found
@@ -106,7 +106,7 @@ def lookalikes(
             "pose of the most similar silhouette": similar,
             "most similar pose": apart.min(axis=1),
         },
-        title="how far each sampled pose is from that of the most similar silhouette, degrees",
+        title="how far poses are apart, degrees",
         frames_per_second=data.train[0].frames_per_second,
     )
     return Result(

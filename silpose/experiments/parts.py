@@ -10,11 +10,11 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from silpose.core.types import Metrics, Row
-from silpose.experiments.figures import SERIES, headline
+from silpose.experiments.figures import headline
 from silpose.experiments.setup import Components, prepare
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
 from silpose.recording.captions import in_words
-from silpose.recording.figure_style import INK, styled
+from silpose.recording.figure_style import styled
 
 BODY = "body"
 
@@ -40,23 +40,26 @@ def parts(components: Components) -> Result:
         series[name] = described.distances(part, x, regressor.predict(z))
         mean_pose = described.distances(part, x, described.mean_pose(part))
         metrics[name] = {
-            "error": float(series[name].mean()),
+            "part_error": float(series[name].mean()),
             "mean_pose_error": float(mean_pose.mean()),
             "nu": regressor.nu_,
             "functions_kept": len(regressor.relevance_),
         }
+    unit = in_words(described.data.space.metrics[0])
     record = partial(
         record_study,
         series=series,
-        title="error of each part's regressor on the first test take, degrees",
+        title=unit,
         frames_per_second=described.frames_per_second,
+        colours={name: _colour(name) for name in series},
+        legend="body (grey), torso (orange), arms (green), legs (purple); left light, right dark",
     )
     return Result(
         described.data.name,
         metrics,
         rows=rows,
-        figure=_figure(rows, metrics, in_words(described.data.space.metrics[0])),
-        recording=Recording("error and functions kept by body part", record),
+        figure=_figure(rows, metrics, unit),
+        recording=Recording(f"{unit}, by body part", record),
     )
 
 
@@ -86,11 +89,17 @@ def _figure(rows: Sequence[Row], metrics: Metrics, unit: str) -> Figure:
 
 
 def _style(part: str) -> dict[str, Any]:
-    """Line of a body part: a hue for each kind of limb, the left one broken and the right solid."""
-    side, _, limb = part.rpartition("_")
-    colours = {BODY: INK, "arm": SERIES[0], "leg": SERIES[1]}
+    """Line of a body part: that of a left limb broken as well."""
     return {
-        "color": colours.get(limb, SERIES[2]),
+        "color": palette.hexed(_colour(part)),
         "lw": 2.5 if part == BODY else 1.5,
-        "ls": "--" if side == "left" else "-",
+        "ls": "--" if part.startswith("left") else "-",
     }
+
+
+def _colour(part: str) -> palette.Colour:
+    """Colour of a body part: a hue for each kind of limb, light on the left, dark on the right."""
+    side, _, limb = part.rpartition("_")
+    green, purple, orange, _ = palette.MODES
+    colours = {BODY: palette.NEUTRAL, "arm": green, "leg": purple}
+    return palette.shade(colours.get(limb, orange), side)

@@ -18,7 +18,7 @@ from silpose.dataset import Dataset, Take
 from silpose.experiments.figures import headline
 from silpose.experiments.setup import Components
 from silpose.model import describe_takes, fit_descriptor
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
 from silpose.recording.figure_style import styled
 
 APART = 15  # frames between two frames of similar poses, at least
@@ -60,7 +60,9 @@ def similarity(components: Components, *, takes: Sequence[str] = ("train_5",)) -
     record = partial(
         record_study,
         series={name: matrix[middle] for name, matrix in similar.items()},
-        title=f"similarity to frame {middle}: share of all pairs that are less similar",
+        title=f"similarity to frame {middle}, 0 to 1",
+        colours={"poses": palette.TRUE},
+        span=(0.0, 1.05),
         frames_per_second=take.frames_per_second,
         masks=take.mask_array() if take.has_masks else (),
     )

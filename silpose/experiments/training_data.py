@@ -87,7 +87,7 @@ def training_data(
     record = partial(
         record_study,
         series=series,
-        title=f"{methods[0]} on {VARIED}, {max(frames)} training frames: error, degrees",
+        title=f"mean angular error of {in_words(methods[0])}, degrees, on {VARIED}; trained on",
         frames_per_second=described.frames_per_second,
     )
     return Result(

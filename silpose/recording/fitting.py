@@ -19,8 +19,9 @@ from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.ground_truth import GroundTruth, log_true_pose
 from silpose.recording.header import Header
 from silpose.recording.iteration_logger import IterationLogger
-from silpose.recording.layout import Window, fitting_layout
+from silpose.recording.layout import fitting_layout
 from silpose.recording.overlay import log_overlay
+from silpose.recording.silhouette import window_of
 from silpose.recording.stream import recording_stream
 
 _BEFORE = palette.METHODS["ridge"]
@@ -71,7 +72,7 @@ def record_fitting(
         Shape coefficients of the fitted body; those of the mean body if not given.
     """
     masks = take.mask_array()
-    rate, window = take.frames_per_second, _window(masks)
+    rate, window = take.frames_per_second, window_of(masks) or (0.0, 1.0, 0.0, 1.0)
     layout = fitting_layout(list(iou), rate, space.metrics[0], window)
     with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(take), rate)
@@ -200,10 +201,3 @@ def _log_trace(logger: IterationLogger, trace: Trace, true: Array, space: PoseSp
         (entity_paths.ITERATED_SKELETON, trace.x, palette.ESTIMATED),
     ):
         _log_skeletons(logger, entity, x, (np.repeat(ground, len(x), axis=0),), space, colour)
-
-
-def _window(masks: NDArray[np.uint8]) -> Window:
-    """Where people are in any of the masks, with a margin."""
-    left, top, width, height = cv2.boundingRect(np.any(masks, axis=0).astype(np.uint8))
-    margin = 0.08 * height
-    return left - margin, left + width + margin, top - margin, top + height + margin

@@ -14,7 +14,7 @@ from silpose.recording.ground_truth import GroundTruth, log_true_pose, log_true_
 from silpose.recording.header import Header
 from silpose.recording.layout import hypotheses_layout, modes_layout
 from silpose.recording.overlay import log_overlay
-from silpose.recording.silhouette import log_masks_alone
+from silpose.recording.silhouette import log_masks_alone, window_of
 from silpose.recording.stream import recording_stream
 from silpose.tracking import Track
 
@@ -42,7 +42,12 @@ def record_modes(
     """
     rate = take.frames_per_second
     layout = modes_layout(
-        weights.shape[1], list(truth.errors), rate, space.metrics[0], take.has_masks
+        weights.shape[1],
+        list(truth.errors),
+        rate,
+        space.metrics[0],
+        take.has_masks,
+        window_of(take.mask_array()) if take.has_masks else None,
     )
     with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(take), rate)
@@ -76,7 +81,8 @@ def record_hypotheses(
     if track.weights is None or track.means is None:
         raise ValueError("a track without hypotheses: record it with record_tracking")
     rate = take.frames_per_second
-    layout = hypotheses_layout(modes[0].shape[1], rate, take.has_masks)
+    window = window_of(take.mask_array()) if take.has_masks else None
+    layout = hypotheses_layout(modes[0].shape[1], rate, take.has_masks, window)
     with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(take), rate)
         _log_known(logger, take, truth, space)

@@ -117,9 +117,10 @@ def hue(k: int, count: int) -> Colour:
 
 
 def graded(colour: Colour, k: int, count: int) -> Colour:
-    """Colour of the k-th of several values of one thing: from a light one to the colour itself."""
-    share = 0.6 * (1 - (k + 1) / count)
-    red, green, blue = (int(c + share * (255 - c)) for c in colour)
+    """Colour of the k-th of several values of one thing: from a light to a dark one."""
+    lightness = 0.6 - 1.1 * k / max(count - 1, 1)  # 0 is the colour itself
+    end = 255 if lightness > 0 else 0
+    red, green, blue = (int(c + abs(lightness) * (end - c)) for c in colour)
     return red, green, blue
 
 

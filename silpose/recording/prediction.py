@@ -10,8 +10,8 @@ from silpose.recording import entity_paths, palette
 from silpose.recording.header import Header
 from silpose.recording.layout import prediction_layout
 from silpose.recording.overlay import log_overlay
-from silpose.recording.silhouette import log_image_size
-from silpose.recording.single_image import log_details, log_estimate, window_of
+from silpose.recording.silhouette import log_image_size, window_of
+from silpose.recording.single_image import log_details, log_estimate
 from silpose.recording.stream import recording_stream
 
 if TYPE_CHECKING:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import cv2
 import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
@@ -11,10 +12,22 @@ from numpy.typing import NDArray
 from silpose.core.types import Array, Mask
 from silpose.recording import entity_paths, palette
 from silpose.recording.frame_logger import FrameLogger
+from silpose.recording.layout import Window
 from silpose.silhouette import Camera
 
 Masks = Sequence[Mask] | NDArray[np.uint8]
 """One mask (H, W) of 0 and 1 per frame."""
+
+
+def window_of(masks: Masks) -> Window | None:
+    """Where people are in any of the masks, with a margin; None if there are no masks."""
+    boxes = [cv2.boundingRect(np.asarray(mask != 0).view(np.uint8)) for mask in masks if mask.any()]
+    if not boxes:
+        return None
+    left, top, width, height = np.array(boxes, dtype=float).T
+    margin = 0.08 * height.max()
+    ends = left.min(), (left + width).max(), top.min(), (top + height).max()
+    return ends[0] - margin, ends[1] + margin, ends[2] - margin, ends[3] + margin
 
 
 def log_camera(logger: FrameLogger, camera: Camera, aim: Array) -> None:

@@ -5,21 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import cv2
 import numpy as np
 import rerun as rr
 
 from silpose.core.pose_space import PoseSpace
-from silpose.core.types import Array, Mask
+from silpose.core.types import Array
 from silpose.recording import entity_paths, palette
 from silpose.recording.codebook import centre_colours, log_codebook
 from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.ground_truth import GroundTruth, log_true_pose, log_true_skeleton
 from silpose.recording.header import Header
 from silpose.recording.influential_examples import InfluentialExamples, log_influential_examples
-from silpose.recording.layout import Window, single_image_layout
+from silpose.recording.layout import single_image_layout
 from silpose.recording.overlay import log_overlay
-from silpose.recording.silhouette import log_camera, log_masks
+from silpose.recording.silhouette import log_camera, log_masks, window_of
 from silpose.recording.stream import recording_stream
 
 if TYPE_CHECKING:
@@ -75,17 +74,6 @@ def record_single_image(
             )
 
 
-def window_of(masks: Sequence[Mask]) -> Window | None:
-    """Where people are in any of the masks, with a margin; None if there are no masks."""
-    boxes = [cv2.boundingRect(np.asarray(mask != 0).view(np.uint8)) for mask in masks if mask.any()]
-    if not boxes:
-        return None
-    left, top, width, height = np.array(boxes, dtype=float).T
-    margin = 0.08 * height.max()
-    ends = left.min(), (left + width).max(), top.min(), (top + height).max()
-    return ends[0] - margin, ends[1] + margin, ends[2] - margin, ends[3] + margin
-
-
 def log_details(
     recording: rr.RecordingStream,
     model: PoseModel,
@@ -102,7 +90,7 @@ def log_details(
         kinds = centre_colours(len(codebook)), details.nearest
         logger.points(entity_paths.EDGE_POINTS, details.points, 2.2, kinds=kinds)
         log_codebook(logger, codebook, model.descriptor.angular_bins, shares)
-    logger.bars(entity_paths.HISTOGRAM, 100 * shares, palette.TRUE)
+    logger.bars(entity_paths.HISTOGRAM, 100 * shares, palette.NEUTRAL)
     logger.bars(entity_paths.ACTIVATIONS, details.activations, palette.ESTIMATED)
     return logger
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
+from PIL import Image
 
 from silpose.core.types import Array
 from silpose.descriptor import Description
 from silpose.descriptor.context_space import ContextSpace
 from silpose.recording import entity_paths, palette
+from silpose.recording.captions import coloured
 from silpose.recording.codebook import centre_colours, log_codebook
 from silpose.recording.frame_logger import FrameLogger
 from silpose.recording.header import Header
@@ -22,9 +25,10 @@ from silpose.recording.layout import (
     features_layout,
     study_layout,
 )
-from silpose.recording.silhouette import Masks, log_masks_alone
+from silpose.recording.silhouette import Masks, log_masks_alone, window_of
 from silpose.recording.stream import log_figure, recording_stream
 
+_TALL = 1.3  # width by height of a figure up to which it stands beside what it is drawn of
 _SCALE = np.array([100.0, -100.0])  # of a plane: the viewer's images count rows downwards
 
 
@@ -35,6 +39,8 @@ def record_study(
     frames_per_second: float,
     masks: Masks = (),
     colours: Mapping[str, palette.Colour] | None = None,
+    legend: str = "",
+    span: tuple[float, float] | None = None,
 ) -> None:
     """Write a figure, and errors over time of whatever is compared.
 
@@ -50,18 +56,31 @@ def record_study(
     masks : sequence of ndarray, each (H, W), default=()
         Masks of the frames.
     colours : mapping of str to colour, optional
-        Of the errors.
+        Of the errors; by default those of methods of these names, or of `palette.one_of`.
+    legend : str, default=""
+        Which colour is what; by default each name with its colour.
+    span : tuple of float, optional
+        Lowest and highest value that there may be.
     """
-    layout = study_layout(title if series else None, frames_per_second, bool(len(masks)))
+    drawn = {name: palette.of_method(name, k, len(series)) for k, name in enumerate(series)}
+    drawn |= colours or {}
+    words = f"{title}: {legend or coloured(drawn)}" if series else None
+    wide = header.figure is None or _shape(header.figure) > _TALL
+    layout = study_layout(words, frames_per_second, bool(len(masks)), window_of(masks), wide, span)
     with recording_stream(header, layout) as recording:
         log_figure(recording, header)
         logger = FrameLogger(recording, len(next(iter(series.values()), ())), frames_per_second)
         if len(masks):
             log_masks_alone(logger, masks)
-        for k, (name, errors) in enumerate(series.items()):
+        for name, errors in series.items():
             entity = entity_paths.below(entity_paths.ERROR, name)
-            colour = (colours or {}).get(name) or palette.one_of(k, len(series))
-            logger.series(entity, errors, name, colour, 1.5)
+            logger.series(entity, errors, name, drawn[name], 1.5)
+
+
+def _shape(figure: Path) -> float:
+    """Width of an image by its height."""
+    with Image.open(figure) as image:
+        return image.width / image.height
 
 
 def record_bridges(header: Header, norms: Array, objective: Array) -> None:

@@ -16,7 +16,7 @@ from silpose.recording.ground_truth import GroundTruth, log_true_pose
 from silpose.recording.header import Header
 from silpose.recording.layout import extinction_layout, tracking_layout
 from silpose.recording.overlay import log_overlay
-from silpose.recording.silhouette import log_masks_alone
+from silpose.recording.silhouette import log_masks_alone, window_of
 from silpose.recording.stream import log_figure, recording_stream
 from silpose.tracking import Track
 
@@ -54,12 +54,13 @@ def record_tracking(
     if track.beliefs is None:
         raise ValueError("a track without beliefs: record it with record_hypotheses")
     rate = take.frames_per_second
-    layout = tracking_layout(list(tracks), rate, space.metrics[0], take.has_masks)
+    masks = take.mask_array() if take.has_masks else ()
+    layout = tracking_layout(list(tracks), rate, space.metrics[0], take.has_masks, window_of(masks))
     with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(take), rate)
         if take.has_masks:
-            log_masks_alone(logger, take.mask_array())
-            log_overlay(logger, [*tracks.values()][-1], take.mask_array(), space)
+            log_masks_alone(logger, masks)
+            log_overlay(logger, [*tracks.values()][-1], masks, space)
         place = _APART * (np.arange(len(tracks)) - (len(tracks) - 1) / 2)
         places = np.stack([place, np.zeros_like(place), np.zeros_like(place)], axis=1)
         height = truth.root * (0, 1, 0)

@@ -12,11 +12,11 @@ def test_lookalikes_overlap_but_differ(lookalikes):
     assert len(lookalikes.metrics) == 2
     for values in lookalikes.metrics.values():
         assert values["overlap"] >= 0.8
-        assert values["mean_angular_error_deg"] > 4
+        assert values["poses_apart_deg"] > 4
 
 
 def test_the_most_different_pair_comes_first(lookalikes):
-    apart = list(lookalikes.values("mean_angular_error_deg").values())
+    apart = list(lookalikes.values("poses_apart_deg").values())
     assert apart == sorted(apart, reverse=True)
 
 

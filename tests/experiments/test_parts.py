@@ -29,7 +29,7 @@ def test_kept_falls_with_nu(parts):
 
 
 def test_regressors_beat_the_mean_pose(parts):
-    errors, means = parts.values("error"), parts.values("mean_pose_error")
+    errors, means = parts.values("part_error"), parts.values("mean_pose_error")
     assert errors["body"] < means["body"]
     assert np.mean([errors[p] < means[p] for p in errors]) > 0.5
 

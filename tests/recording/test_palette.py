@@ -73,3 +73,9 @@ def test_every_state_of_a_tracker_has_a_colour():
     assert set(palette.STATES) == set(STATES)
     assert palette.states(["lost"]) == palette.STATES
     assert {"poor", "lost"} <= set(palette.states(["poor", "lost"]))
+
+
+def test_graded_colours_go_from_light_to_dark():
+    brightness = [sum(palette.graded(palette.ESTIMATED, k, 5)) for k in range(5)]
+    assert brightness == sorted(brightness, reverse=True)
+    assert min(-np.diff(brightness)) > 40  # so that two that are next to each other are told apart

@@ -4,6 +4,7 @@ from rerun.chunk import RrdReader
 
 from silpose.recording import entity_paths as entities
 from silpose.recording import read_recording, record_study
+from silpose.recording.layout import study_layout
 
 
 def test_errors_of_whatever_is_compared_are_read_back(recordings):
@@ -44,3 +45,17 @@ def test_a_plane_of_contexts_has_y_upwards(recordings, logged):
     assert np.array(centres[0]).shape == (9, 2)
     assert len(points) == 6
     assert np.array(points[0])[:, 1].max() == pytest.approx(0, abs=1e-6)  # shares are positive
+
+
+def test_the_title_says_which_colour_is_what(header, tmp_path, monkeypatch):
+    asked = []
+
+    def layout(title, *arguments):
+        asked.append(title)
+        return study_layout(title, *arguments)
+
+    monkeypatch.setattr("silpose.recording.study.study_layout", layout)
+    series = {"tracker": np.ones(3), "other": np.ones(3)}
+    record_study(header(tmp_path / "a.rrd"), series, "errors", 15.0)
+    record_study(header(tmp_path / "b.rrd"), series, "errors", 15.0, legend="the darker")
+    assert asked == ["errors: tracker (vermilion), other (purple)", "errors: the darker"]

@@ -22,7 +22,14 @@ from silpose.recording.layout.views import (
 )
 
 
-def study_layout(title: str | None, frames_per_second: float, masks: bool = False) -> rrb.Blueprint:
+def study_layout(
+    title: str | None,
+    frames_per_second: float,
+    masks: bool = False,
+    window: Window | None = None,
+    wide: bool = True,
+    span: tuple[float, float] | None = None,
+) -> rrb.Blueprint:
     """Lay out a figure and the errors behind it.
 
     Parameters
@@ -32,12 +39,21 @@ def study_layout(title: str | None, frames_per_second: float, masks: bool = Fals
     frames_per_second : float
     masks : bool, default=False
         Whether masks are recorded.
+    window : tuple of float, optional
+        Part of the masks that is shown.
+    wide : bool, default=True
+        Whether the figure stands above the errors, and not beside them from top to bottom.
+    span : tuple of float, optional
+        Lowest and highest error that there may be.
     """
     if title is None:
         return blueprint([figure_view(), texts_view()], [2.4, 1], frames_per_second)
-    below: rrb.Container | rrb.View = series_view(title, [f"{entity_paths.ERROR}/**"], legend=True)
-    if masks:
-        below = rrb.Horizontal(mask_view("silhouette"), below, column_shares=[1, 2.4])
+    errors = series_view(title, [f"{entity_paths.ERROR}/**"], span)
+    seen = [mask_view("silhouette", window)] if masks else []
+    if not wide:
+        beside = rrb.Vertical(texts_view(), *seen, errors, row_shares=[1.3, *(1 for _ in seen), 1])
+        return blueprint([figure_view(), beside], [1.4, 1], frames_per_second)
+    below = rrb.Horizontal(*seen, errors, column_shares=[*(1 for _ in seen), 2.4])
     shown = rrb.Vertical(figure_view(), below, row_shares=[1.6, 1])
     return blueprint([shown, texts_view()], [2.4, 1], frames_per_second)
 

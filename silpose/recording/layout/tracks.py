@@ -11,6 +11,7 @@ from silpose.recording.captions import coloured
 from silpose.recording.layout.views import (
     FROM_THE_SIDE,
     UNIT_SPAN,
+    Window,
     bars_view,
     blueprint,
     bodies_view,
@@ -26,7 +27,11 @@ from silpose.recording.layout.views import (
 
 
 def tracking_layout(
-    methods: Sequence[str], frames_per_second: float, metric: str, masks: bool
+    methods: Sequence[str],
+    frames_per_second: float,
+    metric: str,
+    masks: bool,
+    window: Window | None = None,
 ) -> rrb.Blueprint:
     """Lay out several methods' estimates side by side, and a tracker's state below.
 
@@ -39,6 +44,8 @@ def tracking_layout(
         Name of the errors.
     masks : bool
         Whether masks are recorded.
+    window : tuple of float, optional
+        Part of the masks that is shown.
     """
     tracks = [entity_paths.below(entity_paths.TRACKS, method) for method in methods]
     estimates = rrb.Vertical(
@@ -60,12 +67,17 @@ def tracking_layout(
         row_shares=[3.2, 0.5, 1, 1],
     )
     belief = bars_view(entity_paths.BELIEF, "tracking: belief, by heading in degrees")
-    seen = rrb.Vertical(mask_view(), belief, row_shares=[1.5, 1]) if masks else rrb.Vertical(belief)
+    seen = rrb.Vertical(*([mask_view(window=window)] if masks else []), belief)
     return blueprint([seen, estimates, texts_view()], [1, 2.6, 1.1], frames_per_second)
 
 
 def modes_layout(
-    count: int, shown: Sequence[str], frames_per_second: float, metric: str, masks: bool
+    count: int,
+    shown: Sequence[str],
+    frames_per_second: float,
+    metric: str,
+    masks: bool,
+    window: Window | None = None,
 ) -> rrb.Blueprint:
     """Lay out several modes per silhouette, and how probable each is.
 
@@ -80,6 +92,8 @@ def modes_layout(
         Name of the errors.
     masks : bool
         Whether masks are recorded.
+    window : tuple of float, optional
+        Part of the masks that is shown.
     """
     modes = _numbered(entity_paths.MODES, count)
     colours = {str(k + 1): palette.one_of(k, count) for k in range(count)}
@@ -97,11 +111,13 @@ def modes_layout(
     )
     if not masks:
         return blueprint([estimates, texts_view()], [2.6, 1], frames_per_second)
-    mask = mask_view()
+    mask = mask_view(window=window)
     return blueprint([mask, estimates, texts_view()], [0.75, 1.9, 1.3], frames_per_second)
 
 
-def hypotheses_layout(count: int, frames_per_second: float, masks: bool) -> rrb.Blueprint:
+def hypotheses_layout(
+    count: int, frames_per_second: float, masks: bool, window: Window | None = None
+) -> rrb.Blueprint:
     """Lay out the modes of one silhouette beside those of a tracker's particles.
 
     Parameters
@@ -111,6 +127,8 @@ def hypotheses_layout(count: int, frames_per_second: float, masks: bool) -> rrb.
     frames_per_second : float
     masks : bool
         Whether masks are recorded.
+    window : tuple of float, optional
+        Part of the masks that is shown.
     """
     alone = _numbered(entity_paths.MODES, count)
     tracked = _numbered(entity_paths.HYPOTHESES, count)
@@ -157,7 +175,8 @@ def hypotheses_layout(count: int, frames_per_second: float, masks: bool) -> rrb.
     )
     if not masks:
         return blueprint([estimates, texts_view()], [2.6, 1], frames_per_second)
-    return blueprint([mask_view(), estimates, texts_view()], [0.75, 2, 1.2], frames_per_second)
+    mask = mask_view(window=window)
+    return blueprint([mask, estimates, texts_view()], [0.75, 2, 1.2], frames_per_second)
 
 
 def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
@@ -172,7 +191,7 @@ def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.
     kernels = [
         bars_view(
             entity_paths.below(entity_paths.KERNELS, tracker),
-            f"activation of the kernels: {tracker}",
+            f"active kernels (none while poses are given): {tracker}",
         )
         for tracker in trackers
     ]

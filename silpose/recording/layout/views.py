@@ -159,17 +159,16 @@ def series_view(
     name: str,
     contents: Sequence[str],
     span: tuple[float, float] | None = None,
-    legend: bool = False,
 ) -> rrb.TimeSeriesView:
     """Numbers over time, the vertical axis of a given span where there is one.
 
-    A legend covers what is drawn: the title says which colour is what, unless there are too many.
+    A legend would cover what is drawn: the title says which colour is what.
     """
     return rrb.TimeSeriesView(
         origin="/",
         contents=list(contents),
         name=name,
-        plot_legend=rrb.PlotLegend(rrb.Corner2D.RightTop, visible=legend),
+        plot_legend=rrb.PlotLegend(visible=False),
         axis_y=rrb.ScalarAxis(range=span) if span else None,
     )
 

@@ -14,6 +14,7 @@ from markupsafe import Markup, escape
 
 from silpose.core.atomic_files import writing
 from silpose.evaluation import BASELINES
+from silpose.recording.page_style import PAGE_HEAD, PAGE_STYLE
 from silpose.recording.paper.claims import CLAIMS, Claim
 from silpose.recording.paper.found import Found
 
@@ -110,6 +111,8 @@ def write_paper(report: PaperReport) -> tuple[Path, Path]:
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    templates.globals["page_head"] = Markup(PAGE_HEAD)
+    templates.globals["page_style"] = Markup(PAGE_STYLE)
     templates.filters["with_code"] = _with_code
     templates.filters["embedded"] = _embedded
     templates.filters["below"] = lambda path: path.relative_to(report.folder).as_posix()

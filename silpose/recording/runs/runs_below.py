@@ -27,6 +27,10 @@ def find_runs(root: str | Path = "recordings") -> tuple[list[FinishedRun], list[
     ------
     InputError
         If there is no such folder.
+
+    See Also
+    --------
+    silpose.recording.runs_table : Runs by experiment and name as a pandas table.
     """
     root = Path(root)
     if not root.is_dir():

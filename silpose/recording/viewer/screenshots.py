@@ -23,6 +23,7 @@ from silpose.recording.read import frames_of, reader
 from silpose.recording.viewer.process import HOST, free_port, start
 
 _DRAWN = 0.5  # seconds until a first picture is complete
+_NOTED = 5.0  # seconds for which a note that the viewer listens covers the window's top right
 _ENDED = 1.0  # seconds that a viewer that fails takes to end
 _PATIENCE = 120.0  # seconds until a viewer must have drawn, on a machine that is busy
 _DRIVER = "it needs a Vulkan driver (Debian: mesa-vulkan-drivers)"
@@ -154,7 +155,6 @@ def opened(recording: str | Path) -> Iterator[ViewerClient]:
     os.environ.setdefault("XDG_RUNTIME_DIR", tempfile.gettempdir())
     port = free_port()
     try:
-        # Without --expect-data-soon a note that the viewer listens covers the views.
         process = start("--headless", "--expect-data-soon", port=port, remedy="try again")
     except InputError as error:
         raise InputError(f"{error}; {_DRIVER}") from error
@@ -182,10 +182,14 @@ def _load(viewer: ViewerClient, recording: Path, process: subprocess.Popen[bytes
             if process.returncode is not None:
                 raise InputError(f"Rerun cannot draw here: {_DRIVER}") from error
             if time.monotonic() > deadline:
-                raise InputError(
-                    f"Rerun does not draw within {_PATIENCE:.0f} seconds: try again when this "
-                    "machine is less busy"
-                ) from error
+                raise _too_slow() from error
+
+
+def _too_slow() -> InputError:
+    return InputError(
+        f"Rerun does not draw within {_PATIENCE:.0f} seconds: try again when this machine is less "
+        "busy"
+    )
 
 
 @contextmanager
@@ -199,10 +203,19 @@ def _shots(recording: str | Path, view: str | None, width: int) -> Iterator[Any]
         timed = bool(frames_of(recording))
 
         def shoot(frame: int) -> bytes:
-            if timed:
-                viewer.set_time("frame", sequence=frame, play_state="paused")
-            return bytes(viewer.take_screenshot(**options))
+            deadline = time.monotonic() + _PATIENCE
+            while True:
+                try:
+                    if timed:
+                        viewer.set_time("frame", sequence=frame, play_state="paused")
+                    return bytes(viewer.take_screenshot(**options))
+                except TimeoutError as error:
+                    if time.monotonic() > deadline:
+                        raise _too_slow() from error
 
+        if view is None:
+            time.sleep(_NOTED)
+            shoot(0)  # the first one after may still have the note
         yield shoot
 
 

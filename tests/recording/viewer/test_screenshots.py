@@ -17,7 +17,7 @@ def test_a_stretch_moves(finished, tmp_path, drawing):
     film(finished.recording, range(0, 9, 4), tmp_path / "f.gif", view="mask", width=300)
     with Image.open(tmp_path / "f.gif") as gif:
         assert gif.n_frames == 3
-    film(finished.recording, [0, 4], tmp_path / "f.mp4", width=300)
+    film(finished.recording, [0, 4], tmp_path / "f.mp4", view="mask", width=300)
     video = cv2.VideoCapture(str(tmp_path / "f.mp4"))
     assert int(video.get(cv2.CAP_PROP_FRAME_COUNT)) == 2
 

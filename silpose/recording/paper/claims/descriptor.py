@@ -9,7 +9,7 @@ _VARIED = ("centres", "vote_width", "hellinger", "radius")
 
 
 def _most_different(found: Found) -> float:
-    return max(found.value(pair) for pair in found.methods)
+    return max(found.value(pair, "poses_apart_deg") for pair in found.methods)
 
 
 def _lost(found: Found, method: str) -> float:
