@@ -13,6 +13,7 @@ from platformdirs import user_cache_path
 
 from silpose.core.digest import digest
 from silpose.core.errors import InputError
+from silpose.core.home_folder import expanded
 from silpose.model.descriptor_cache import DESCRIPTORS
 from silpose.model.loading import load
 from silpose.model.model_file import FORMAT
@@ -47,10 +48,20 @@ class ModelCache:
         folder : path, optional
             By default the user's cache folder, such as ``~/.cache/silpose``, or that of
             ``XDG_CACHE_HOME``.
+
+        Raises
+        ------
+        InputError
+            If that is not known either, as where a program runs as a user without a home.
         """
         place = user_cache_path("silpose", appauthor=False) if folder is None else Path(folder)
+        place = expanded(place)
+        if place.parts[:1] == ("~",):
+            raise InputError(
+                "there is no home folder to keep the model in: choose a folder, cache=FOLDER"
+            )
         name = digest([version("silpose"), FORMAT, DESCRIPTORS, _TRAINING, trained_by])
-        return cls(place.expanduser() / f"model_{name}.npz")
+        return cls(place / f"model_{name}.npz")
 
     def fetch(self) -> PoseModel | None:
         """Load the model; None if there is none, or with a warning if its file is damaged."""
@@ -75,9 +86,11 @@ class ModelCache:
             with tempfile.TemporaryDirectory(dir=self.file.parent) as own:
                 model.save(Path(own) / "model.npz")
                 (Path(own) / "model.npz").replace(self.file)
-        except OSError as error:
+        except (OSError, InputError) as error:  # the latter where the disk is full
+            cause = error.__cause__ if isinstance(error, InputError) else error
+            reason = getattr(cause, "strerror", None) or error
             warnings.warn(
-                f"cannot keep the model in '{self.file.parent}' ({error.strerror}), so that it is "
+                f"cannot keep the model in '{self.file.parent}' ({reason}), so that it is "
                 "trained anew the next time: choose another folder, cache=FOLDER",
                 stacklevel=2,
             )

@@ -1,6 +1,9 @@
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
 from silpose.model import ModelCache, PoseModel
 from silpose.regression import RidgeRegressor
@@ -36,3 +39,22 @@ def test_where_nothing_can_be_written_that_is_said(model, tmp_path):
     (tmp_path / "file").touch()
     with pytest.warns(UserWarning, match="choose another folder, cache=FOLDER"):
         assert not ModelCache.of("settings", tmp_path / "file" / "below").store(model)
+
+
+def test_a_full_disk_does_not_lose_the_model_that_was_trained(model, tmp_path):
+    resource = pytest.importorskip("resource")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, before[1]))
+    try:
+        with pytest.warns(UserWarning, match=r"cannot keep the model in .* \(File too large\)"):
+            assert not ModelCache.of("settings", tmp_path).store(model)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert not list(tmp_path.iterdir())
+
+
+def test_without_a_home_another_folder_is_asked_for(monkeypatch):
+    monkeypatch.setattr("silpose.model.model_cache.user_cache_path", lambda *_, **__: Path("~/a"))
+    monkeypatch.setattr("silpose.model.model_cache.expanded", lambda path: path)
+    with pytest.raises(InputError, match="choose a folder, cache=FOLDER"):
+        ModelCache.of("settings")

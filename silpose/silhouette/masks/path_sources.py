@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from silpose.core.errors import InputError
+from silpose.core.home_folder import expanded
 from silpose.silhouette.masks.array_files import ARRAYS, read_array_file
 from silpose.silhouette.masks.arrays import pictures_of_array
 from silpose.silhouette.masks.coco import read_coco
@@ -67,7 +68,7 @@ def _find_path(path: Path, options: MaskSource) -> Found:
     if not path.parts:
         raise InputError("the path of the masks is empty: give that of a folder or file")
     if path.parts[0].startswith("~") and not path.exists():
-        path = path.expanduser()
+        path = expanded(path)
     if path.is_dir():
         return _find_folder(path, options)
     if not path.exists():

@@ -12,6 +12,7 @@ from typing import IO
 import numpy as np
 
 from silpose.core.errors import InputError
+from silpose.core.home_folder import expanded
 from silpose.core.types import Mask
 from silpose.silhouette.video import selfie_process
 from silpose.silhouette.video.backgrounds import Differing
@@ -82,7 +83,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 def _python_of(environment: str | None) -> Path:
     if environment is None:
         return Path(sys.executable)
-    folder = Path(environment).expanduser()
+    folder = expanded(environment)
     for inside in ("bin/python", "Scripts/python.exe"):
         if (folder / inside).is_file():
             return folder / inside

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Protocol
 from urllib.parse import unquote, urlsplit
 
 import numpy as np
 
 from silpose.core.errors import InputError
+from silpose.core.home_folder import expanded
 from silpose.silhouette.masks.image_files import IMAGES
 from silpose.silhouette.video.film_frames import FilmFrames
 from silpose.silhouette.video.folder_frames import FolderFrames
@@ -72,7 +72,7 @@ def open_source(
         raise InputError(f"there is no video, but an empty name: {WANTED}")
     if written.startswith("file://"):
         written = unquote(urlsplit(written).path)
-    path = Path(written).expanduser()
+    path = expanded(written)
     if path.is_dir():
         return FolderFrames(path, longest_side, rate)
     if not path.exists():
