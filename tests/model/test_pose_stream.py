@@ -6,7 +6,7 @@ from small_model import tracking_and_fitting
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
-from silpose.model import Poses
+from silpose.model import Poses, PoseStream
 
 pytestmark = pytest.mark.filterwarnings("ignore:this model was trained without")
 
@@ -64,7 +64,7 @@ def test_without_a_tracker_each_frame_is_fitted_by_itself(model, sequence):
 
 @pytest.mark.parametrize("tracked", [True, False])
 def test_time_goes_on(model, sequence, tracked):
-    stream = (model if tracked else replace(model, tracker=None)).stream(fit=not tracked)
+    stream = PoseStream(model if tracked else replace(model, tracker=None))
     stream.step(sequence.masks[0], 1.0)
     for time in (1.0, 0.5, np.nan, np.inf, "a"):
         with pytest.raises(InputError, match=r"not after|must be a finite number"):
