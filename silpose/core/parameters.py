@@ -70,10 +70,10 @@ NUMBER_OF_JOBS = Constraint(
     _number(Integral, lambda value: value == -1 or value > 0),
 ).or_none()
 SEED = Constraint(
-    "zero or a positive integer, a RandomState, a Generator",
+    "an integer from 0 to 2**32 - 1, a RandomState, a Generator",  # as scikit-learn has seeds
     lambda value: (
         isinstance(value, np.random.RandomState | np.random.Generator)
-        or NOT_NEGATIVE_INTEGER.holds(value)
+        or (NOT_NEGATIVE_INTEGER.holds(value) and value < 2**32)
     ),
 ).or_none()
 BETWEEN_0_AND_1 = Constraint("above 0 and below 1", _number(Real, lambda value: 0 < value < 1))

@@ -76,5 +76,5 @@ def test_words_and_kinds():
     assert all(map(NUMBER_OF_JOBS.holds, [-1, 3, None]))
     assert not any(map(NUMBER_OF_JOBS.holds, [-2, 0]))
     assert all(map(SEED.holds, [0, None, np.random.RandomState(0), np.random.default_rng(0)]))
-    assert not any(map(SEED.holds, [-1, "a"]))
+    assert not any(map(SEED.holds, [-1, 2**32, "a"]))
     assert not one_of("a", "b").holds([])
