@@ -52,7 +52,9 @@ def test_training_takes_that_cannot_be_used_are_named(tracker, message, takes):
     "tracker", [BeliefTracker(), MultipleHypothesisTracker(MixtureOfRegressors(2))]
 )
 def test_poses_of_another_space_are_refused(tracker):
-    with pytest.raises(InputError, match="poses have 5 columns: in the space 'angles' they have 55"):
+    with pytest.raises(
+        InputError, match="poses have 5 columns: in the space 'angles' they have 55"
+    ):
         tracker.fit([(Z, X)])
 
 
