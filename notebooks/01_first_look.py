@@ -37,6 +37,7 @@ from silpose.recording.figure_style import STYLE
 plt.style.use(STYLE)
 plt.figure(figsize=(12, 3))
 plt.imshow(np.hstack(test.masks[:60:7, :, 60:-60]), cmap="gray_r")
+plt.box(False)
 plt.yticks([])
 plt.xticks(68 + 136 * np.arange(9), [f"{frame / 15:.1f}" for frame in range(0, 60, 7)])
 plt.xlabel("seconds")

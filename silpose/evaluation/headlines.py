@@ -47,7 +47,10 @@ HEADLINES: Mapping[str, tuple[str, str]] = {
     "test_error": ("test", "{:.2f}"),
 }
 
-_ERRORS = ("mean_angular_error_deg", "mean_joint_distance", "mpjpe_mm", "error", "test_error")
+_ERRORS = (
+    "mean_angular_error_deg", "mean_joint_distance", "mpjpe_mm", "error", "test_error",
+    "whole_error",
+)  # fmt: skip
 _TOLD_THE_TRUTH = ("oracle", "_best", "given_start")  # in names of methods that know it in part
 
 

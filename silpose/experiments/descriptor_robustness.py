@@ -127,7 +127,7 @@ def descriptor_robustness(
         rows=rows,
         figure=figure,
         recording=Recording(
-            f"test take {data.test[0].name}: {order}",
+            f"Shown: {data.test[0].title}; each kind rises from nothing: {order.replace('_', ' ')}",
             partial(_record, data, pipelines, kinds, unit),
         ),
     )
@@ -205,7 +205,8 @@ def _record(
             for name, pipeline in pipelines.items()
             if not name.endswith(TRAINED_ON_DEGRADED)
         },
-        title=f"{unit}, while each degradation in turn rises",
+        title=unit,
+        legend="shape contexts (green), aligned mask (purple), Hu moments (orange)",
         frames_per_second=take.frames_per_second,
         masks=masks,
     )

@@ -27,6 +27,7 @@ from silpose.experiments.setup import (
 )
 from silpose.model import FitterTraining, TrackerTraining
 from silpose.recording import Header, Recording, Result, record_study
+from silpose.recording.captions import in_words
 from silpose.silhouette import SEGMENTATION_FAULTS, Camera, Degradation, degrade, render
 from silpose.tracking import GIVEN
 
@@ -107,7 +108,7 @@ def fitting_robustness(
         rows=rows,
         figure=fitting_robustness_figure(lost, shown, strength),
         recording=Recording(
-            f"test take {first.name}: a stretch of each kind, {', '.join(kinds)}",
+            f"Shown: {first.title}; a stretch of each kind: {', '.join(map(in_words, kinds))}",
             partial(_record, first, masks, found, kinds),
         ),
     )
@@ -191,7 +192,7 @@ def _record(
     record_study(
         header,
         series={method: ANGLES.distance(take.x, x) for method, x in estimates.items()},
-        title="mean angular error, degrees, one degradation after the other",
+        title=in_words("mean_angular_error_deg"),
         frames_per_second=take.frames_per_second,
         masks=[masks[kind][0][k] for k, kind in enumerate(kind_of)],
     )

@@ -73,7 +73,9 @@ def prediction_layout(frames_per_second: float, window: Window, judged: bool) ->
     )
     heading = headings_view([entity_paths.ESTIMATED_HEADING], {"estimated": palette.ESTIMATED})
     certainty = confidence_view() if judged else heading_norm_view()
-    estimate = rrb.Vertical(bodies, state_view(), heading, certainty, row_shares=[3.4, 0.5, 1, 0.7])
+    estimate = rrb.Vertical(
+        bodies, state_view(), heading, certainty, row_shares=[3.4, 0.75, 1, 0.7]
+    )
     inputs = estimate_input_view(window)
     return blueprint([inputs, estimate, texts_view()], [1.3, 1.7, 0.6], frames_per_second)
 

@@ -64,7 +64,7 @@ def tracking_layout(
             {"true": palette.TRUE, methods[-1]: palette.of_method(methods[-1], 0, 1)},
         ),
         errors_view(metric, ("ridge", "tracker")),
-        row_shares=[3.2, 0.5, 1, 1],
+        row_shares=[3.2, 0.75, 1, 1],
     )
     belief = bars_view(entity_paths.BELIEF, "tracking: belief, by heading in degrees")
     seen = rrb.Vertical(*([mask_view(window=window)] if masks else []), belief)
@@ -171,7 +171,7 @@ def hypotheses_layout(
             headings,
             {"true": palette.TRUE, "mode 1": palette.MODES[0], "tracker": palette.ESTIMATED},
         ),
-        row_shares=[2.8, 0.9, 0.85, 1.1],
+        row_shares=[2.8, 0.9, 1.1, 1.1],
     )
     if not masks:
         return blueprint([estimates, texts_view()], [2.6, 1], frames_per_second)
