@@ -9,19 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from silpose.core.types import Mask
-from silpose.experiments.figures import (
-    ESTIMATED,
-    NEUTRAL,
-    SERIES,
-    headline,
-    legend_above,
-    without_ink,
-)
+from silpose.experiments.figures import NEUTRAL, headline, legend_above, without_ink
 from silpose.experiments.fitting_figure import draw_overlap
+from silpose.recording import palette
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import styled
 
-_COLOURS = (NEUTRAL, SERIES[0], ESTIMATED)
 _WIDTH = 0.26  # of a bar, between kinds
 
 
@@ -65,7 +58,8 @@ def fitting_robustness_figure(
 def _plot_losses(axes: Axes, lost: Mapping[str, Mapping[str, float]]) -> None:
     kinds = list(next(iter(lost.values())))
     places = np.arange(len(kinds) + 1)
-    for k, (method, colour) in enumerate(zip(lost, _COLOURS, strict=True)):
+    for k, method in enumerate(lost):
+        colour = palette.hexed(palette.METHODS[method])
         shares = [*lost[method].values(), np.mean(list(lost[method].values()))]
         bars = axes.bar(
             places + (k - 1) * _WIDTH, 100 * np.array(shares), _WIDTH, color=colour,
