@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -9,6 +11,7 @@ from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.decomposition import PCA
 from sklearn.utils.validation import check_is_fitted
 
+from silpose.core.parameters import POSITIVE_INTEGER, SEED, Constraints, check_parameters
 from silpose.core.random_states import RandomState, seed_of
 from silpose.core.types import Array, Array32
 from silpose.descriptor.boundary import Masks, as_mask, stack_of
@@ -63,13 +66,19 @@ class AlignedMask(TransformerMixin, BaseEstimator):
     size : int, default=48
         Height and width of the aligned mask, pixels.
     components : int, default=100
-        Number of components, if there are as many masks.
+        Number of components, if there are as many masks and pixels.
     random_state : int, RandomState, Generator or None, default=0
 
     Attributes
     ----------
     pca_ : PCA
     """
+
+    constraints: ClassVar[Constraints] = {
+        "size": POSITIVE_INTEGER,
+        "components": POSITIVE_INTEGER,
+        "random_state": SEED,
+    }
 
     def __init__(
         self, *, size: int = 48, components: int = 100, random_state: RandomState = 0
@@ -90,9 +99,15 @@ class AlignedMask(TransformerMixin, BaseEstimator):
         Returns
         -------
         self : AlignedMask
+
+        Raises
+        ------
+        InputError
+            If a parameter or a mask cannot be used.
         """
+        check_parameters(self)
         aligned = self._aligned(masks)
-        count = min(self.components, len(aligned))
+        count = min(self.components, *aligned.shape)
         self.pca_ = PCA(count, svd_solver="randomized", random_state=seed_of(self.random_state))
         self.pca_.fit(aligned)
         return self

@@ -16,6 +16,7 @@ from silpose.descriptor.codebook import METHODS
 from silpose.descriptor.description import BOUNDARIES
 
 NORMALISATIONS = ("sum", "mean", "none")
+_FARTHEST = 10  # silhouette sizes: no two points of one are that far apart
 
 CONSTRAINTS: Constraints = {
     "boundary": one_of(*BOUNDARIES),
@@ -24,7 +25,10 @@ CONSTRAINTS: Constraints = {
     "closing": PROBABILITY,
     "angular_bins": POSITIVE_INTEGER,
     "radial_bins": POSITIVE_INTEGER,
-    "radius": POSITIVE,
+    "radius": Constraint(
+        f"above 0 and at most {_FARTHEST}",
+        lambda value: POSITIVE.holds(value) and value <= _FARTHEST,
+    ),
     "inner_radius": Constraint(
         "between 0 and 1", lambda value: POSITIVE.holds(value) and value < 1
     ),

@@ -277,7 +277,7 @@ def test_what_cannot_be_described_is_named(histogram, sequence):
         ShapeContextHistogram().transform(sequence.masks)
     with pytest.raises(InputError, match="boundary must be one of 'subpixel', 'open', 'pixels'"):
         ShapeContextHistogram(boundary="smooth").fit(sequence.masks)
-    with pytest.raises(InputError, match="radius must be positive"):
+    with pytest.raises(InputError, match="radius must be above 0 and at most 10"):
         ShapeContextHistogram(radius=0).fit(sequence.masks)
     with pytest.raises(InputError, match="inner_radius must be between 0 and 1"):
         ShapeContextHistogram(inner_radius=1.5).fit(sequence.masks)
