@@ -29,9 +29,10 @@ def one_builder(file: Path) -> Iterator[None]:
         file.parent.mkdir(parents=True, exist_ok=True)
         lock = FileLock(file.with_suffix(".lock"))
         lock.acquire()
-    except OSError as error:
+    except (OSError, NotImplementedError) as error:  # the latter of file systems without locks
+        reason = error.strerror if isinstance(error, OSError) else "it has no locks"
         raise InputError(
-            f"cannot write to '{file.parent}' ({error.strerror}): choose another dataset.cache"
+            f"cannot write to '{file.parent}' ({reason}): choose another dataset.cache"
         ) from error
     try:
         yield

@@ -109,6 +109,15 @@ def test_of_two_at_once_one_computes(tmp_path):
     assert rows.times == 1
 
 
+def test_a_file_system_without_locks_is_named(tmp_path, monkeypatch):
+    def acquire(_):
+        raise NotImplementedError
+
+    monkeypatch.setattr("silpose.core.one_builder.FileLock.acquire", acquire)
+    with pytest.raises(InputError, match=r"it has no locks.*choose another dataset\.cache"):
+        KnownResults(tmp_path).recall(lambda: 1, "a")
+
+
 def test_a_folder_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(InputError, match=r"choose another dataset\.cache"):

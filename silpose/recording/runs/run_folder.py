@@ -138,8 +138,10 @@ class RunFolder:
         Returns
         -------
         kept : list of str
-            Names of files that are there.
+            Names of files that are there; none if somebody removed the folder meanwhile.
         """
+        if not self.folder.is_dir():
+            return []
         if self.is_new and not keep:
             for file in self.folder.iterdir():
                 file.unlink()

@@ -36,6 +36,12 @@ def test_abandoning_keeps_what_was_finished(tmp_path):
     assert [f.name for f in run.folder.iterdir()] == ["results.csv"]
 
 
+def test_a_folder_that_somebody_removed_is_abandoned_already(tmp_path):
+    run = RunFolder.start("e", root=tmp_path)
+    run.folder.rmdir()
+    assert run.abandon() == []
+
+
 def test_its_header_has_its_settings_and_sinks(tmp_path):
     run = RunFolder.start("e", "seed: 3\n", root=tmp_path, sinks=["file", "web"], web_port=8000)
     header = run.header("words", {}, tmp_path / "e.png")
