@@ -27,6 +27,7 @@ FILES = {  # the choice that leads to each alternative
 OTHERS = {  # values of parameters that cannot have just any
     "descriptor.codebook_method": "random",
     "descriptor.normalisation": "mean",
+    "engine": "local",
     "fitting.camera": "estimated",
     "fitting.shape": "estimated",
     "motion.formats": ["npz"],
