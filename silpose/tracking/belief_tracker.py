@@ -25,7 +25,7 @@ from silpose.core.types import Array
 from silpose.tracking.base_tracker import TrackerStream
 from silpose.tracking.belief_filter import BeliefFilter, fixed_lag_smooth
 from silpose.tracking.checks import checked_lag
-from silpose.tracking.distances import kernel, rows_at_once
+from silpose.tracking.distances import FEW, kernel, rows_at_once
 from silpose.tracking.key_examples import KeyPoseComparison
 from silpose.tracking.key_pose_tracker import KeyPoseTracker
 from silpose.tracking.key_poses import KeyPoses
@@ -34,7 +34,7 @@ from silpose.tracking.track import Track
 from silpose.tracking.transitions import Transitions
 
 _TOLERATED = 2.0  # surprise at which a track is not lost yet, relative to the largest in training
-_SURPRISED = 20_000  # training frames, of whole takes, whose surprise is looked at
+_SURPRISED = 20_000, 5_000  # frames of takes that are looked at; with very many key poses
 
 
 class BeliefTracker(KeyPoseTracker[BeliefFilter]):
@@ -77,8 +77,8 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
     kept_ : float
         Key poses over training frames.
     tolerance_ : float
-        Surprise beyond which the track counts as lost: twice the largest in training, of more than
-        20,000 frames the largest in some takes.
+        Surprise beyond which the track counts as lost: twice the largest in training; of more than
+        20,000 frames, or with more than 2000 key poses 5,000, the largest in some takes.
 
     See Also
     --------
@@ -119,7 +119,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         check_parameters(self)
         takes = TrainingTakes(takes)
         self.use_fitted(self.key_poses(takes))
-        some = -(-sum(takes.lengths) // _SURPRISED)
+        some = -(-sum(takes.lengths) // _SURPRISED[len(self.sizes_) > FEW])
         largest = max(self._surprise(takes[k][0]) for k in range(0, len(takes), some))
         self.tolerance_ = _TOLERATED * largest
         return self
