@@ -90,7 +90,7 @@ def test_so_they_do_on_histograms_of_shape_contexts(seed, body, camera):
     x = take.x[:, 2:]
     train, test = ((z[rows], x[rows]) for rows in (order[:100], order[100:]))
     for name, (own, chosen) in plain_and_chosen(train, test).items():
-        assert own <= 1.04 * chosen, (name, own, chosen)  # ridge is 3.4 % behind on seed 4
+        assert own <= 1.04 * chosen, (name, own, chosen)  # ridge is 3.4 % behind once
 
 
 def test_the_sinc_demo_keeps_some_and_not_all():
