@@ -50,24 +50,29 @@ def choose_shares(
     shares : dict
         ``heading_alone`` and ``body_alone``, each from 0 to 1.
     """
+    account = partial(_row, selection.space, method, settings)
+
+    def recorded(row: Row) -> Row:
+        selection.rows.append(row)
+        return row
+
     given = {name: getattr(tracker, name) for name in SHARES}
     known = {name: share for name, share in given.items() if share is not None}
     if len(known) == len(given):
         if any(known.values()):  # settings were chosen without them
             selection.score_later(
                 method,
-                lambda: _recorded(selection, method, settings, known, _tracked(fit, fitted())),
+                lambda: recorded(account(known, _tracked(fit, fitted()))),
             )
         return known
 
     def stacked() -> dict[str, Any]:
         tracked = _tracked(fit, fitted())
         shares = stacked_shares(tracked) | known
-        return {"shares": shares, "row": _row(selection.space, method, settings, shares, tracked)}
+        return {"shares": shares, "row": account(shares, tracked)}
 
     found = selection.known.recall(stacked, method, "shares", tracker, settings)
-    selection.rows.append(found["row"])
-    selection.record_error(method, found["row"])
+    selection.record_error(method, recorded(found["row"]))
     shares: dict[str, float] = found["shares"]
     return shares
 
@@ -113,19 +118,6 @@ def _parts(fit: Callable[[Any], KeyPoseTracker], fold: FittedFold) -> Parts:
     return np.concatenate(local), np.concatenate(change)
 
 
-def _recorded(
-    selection: TrackerSelection,
-    method: str,
-    settings: Settings,
-    shares: dict[str, float],
-    tracked: Sequence[FittedFold[Parts]],
-) -> Row:
-    """Account for the error that the shares leave on held-out takes."""
-    row = _row(selection.space, method, settings, shares, tracked)
-    selection.rows.append(row)
-    return row
-
-
 def _row(
     space: PoseSpace,
     method: str,
@@ -133,6 +125,7 @@ def _row(
     shares: dict[str, float],
     tracked: Sequence[FittedFold[Parts]],
 ) -> Row:
+    """Account for the error that the shares leave on held-out takes."""
     (row,) = search(partial(_score, space), tracked, [{**settings, **shares}], method=method)
     return row
 
