@@ -29,18 +29,16 @@ _ELSEWHERE = ("recording", "n_jobs", "engine", "address", "debug")  # settings t
 
 @dataclass(frozen=True)
 class _Run:
-    """A part, and the settings that it comes to.
+    """The settings that a part comes to.
 
     Attributes
     ----------
-    part : Part
     overrides : list of str
     settings : str
         As YAML.
     folder : Path
     """
 
-    part: Part
     overrides: list[str]
     settings: str
     folder: Path
@@ -60,11 +58,7 @@ class _Run:
             f"recording.root='{root}'", f"recording.name='{part.name}'",
         ]  # fmt: skip
         settings = OmegaConf.to_yaml(load(overrides), resolve=True)
-        return cls(part, overrides, settings, root / part.experiment / part.name)
-
-    @property
-    def name(self) -> str:
-        return f"{self.part.name}/{self.part.experiment}"
+        return cls(overrides, settings, root / part.experiment / part.name)
 
     def result(self) -> FinishedRun | None:
         """Read what this run left, if it came to its end with the same settings."""
@@ -132,15 +126,16 @@ def _do(root: Path, part: Part) -> _Done:
     """Run a part that is not finished, in whatever process this is."""
     from silpose.app.failures import sentence
 
-    run = _Run.of(part, root)
+    name = f"{part.name}/{part.experiment}"
     try:
+        run = _Run.of(part, root)
         if run.result() is None:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", UserWarning)  # parts share their data's doubts
                 run_experiment(run.overrides)
     except Exception as error:
-        return _Done(part, run.name, None, sentence(error).removeprefix("silpose: "))
-    return _Done(part, run.name, run.result(), "it left no result")
+        return _Done(part, name, None, sentence(error).removeprefix("silpose: "))
+    return _Done(part, name, run.result(), "it left no result")
 
 
 def _results_of(settings: str) -> dict[str, Any]:

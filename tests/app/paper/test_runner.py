@@ -57,3 +57,9 @@ def test_settings_are_looked_at_before_anything_runs(tmp_path, ran):
     with pytest.raises(InputError, match=r"there is no setting 'regression.nu'"):
         paper(tmp_path, experiment_overrides=("regression.nu=3",))
     assert not ran.names
+
+
+def test_a_setting_of_the_first_part_alone_stops_no_other(tmp_path, ran):
+    report = paper(tmp_path, experiment_overrides=("samples=5",))
+    assert set(report.found["walkers"]) == {"feature_selection"}
+    assert "no setting 'samples'" in report.failed["walkers/bridges"]
