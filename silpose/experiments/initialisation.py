@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 
 import numpy as np
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 from sklearn.base import clone
 
 from silpose.core.pose_space import PoseSpace
@@ -16,14 +17,13 @@ from silpose.core.types import Array, Metrics
 from silpose.evaluation import HEADING_LIMIT_DEG, heading_errors
 from silpose.experiments.figures import ESTIMATED, NEUTRAL, headline
 from silpose.experiments.setup import Components, prepare_tracking, tidy
-from silpose.model import TrackerTraining
 from silpose.recording import Recording, Result, record_study
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import INK, styled
-from silpose.tracking import GIVEN, BeliefTracker
+from silpose.tracking import BeliefTracker, belief_tracks, single_pose_tracks
 
-Track = Callable[[Array, bool], Array]
-"""From descriptors (F, d), and whether time runs backwards, to poses (F, D)."""
+Tracks = Callable[[Array, bool], Iterator[Array]]
+"""From descriptors (F, d), and whether time runs backwards, to poses (F - k, D) from each frame."""
 
 LOCKED_SHARE = 0.95  # share of frames with the heading within its limit from which it counts,
 SETTLING = 1.0  # from so many seconds after the start
@@ -43,18 +43,19 @@ def initialisation(components: Components) -> Result:
     with stage("tracking"):
         tracker: BeliefTracker = clone(training.tracker).set_params(restart=0.0)
         tracker.fit(described.train)
-        trackers: dict[str, Track] = {
-            "state_sensitive": lambda z, back: _state_sensitive(training, z, back),
-            "tracker": lambda z, back: tracker.track(z, backwards=back).x,
-            "tracker_lag": lambda z, back: tracker.track(z, lag=training.lag, backwards=back).x,
+        trackers: dict[str, Tracks] = {
+            "state_sensitive": lambda z, back: single_pose_tracks(
+                training.state_sensitive, z, training.ridge.predict(z)
+            ),
+            "tracker": lambda z, back: belief_tracks(tracker, z, backwards=back),
+            "tracker_lag": lambda z, back: belief_tracks(tracker, z, training.lag, backwards=back),
         }
         shares = {}
-        with bar("starts", len(trackers) * len(z)) as advance:
-            for method, track in trackers.items():
-                shares[method] = np.full(len(z), np.nan)
-                for start in range(len(z)):
-                    shares[method][start] = share_within(space, z, x, start, settling, track)
-                    advance(1)
+        with bar("starts", 2 * len(trackers) * len(z)) as advance:
+            for method, tracks in trackers.items():
+                forwards = _watched(tracks(z, False), advance)
+                backwards = _watched(tracks(z[::-1], True), advance)
+                shares[method] = shares_within(space, x, forwards, backwards, settling)
     metrics = {
         method: {
             "locked_on": float((share >= LOCKED_SHARE).mean()),
@@ -80,33 +81,44 @@ def initialisation(components: Components) -> Result:
     )
 
 
-def share_within(
-    space: PoseSpace, z: Array, x: Array, start: int, settling: int, track: Track
-) -> float:
-    """Share of frames whose heading is within its limit, in both directions from a start.
+def shares_within(
+    space: PoseSpace,
+    x: Array,
+    forwards: Iterable[Array],
+    backwards: Iterable[Array],
+    settling: int,
+) -> Array:
+    """Share of frames whose heading is within its limit, in both directions from each start.
 
     Parameters
     ----------
     space : PoseSpace
-    z, x : ndarray, shapes (F, d) and (F, D)
-        Descriptors and true poses.
-    start, settling : int
-        First frame, and the number of frames after it that do not count.
-    track : callable
+    x : ndarray, shape (F, D)
+        True poses.
+    forwards, backwards : iterable of ndarray
+        Estimates from the first frame on, from the second on, and so forth; and likewise from the
+        last frame back.
+    settling : int
+        Number of frames after a start that do not count.
+
+    Returns
+    -------
+    shares : ndarray, shape (F,)
+        By the frame of the start; NaN where no frame counts.
     """
-    met = []
-    for part, back in ((slice(start, None), False), (slice(None, start + 1), True)):
-        if len(x[part]) > settling:
-            errors = heading_errors(space, x[part], track(z[part], back))
-            met.append((errors[:-settling] if back else errors[settling:]) <= HEADING_LIMIT_DEG)
-    return float(np.concatenate(met).mean()) if met else np.nan
+    met: list[list[NDArray[np.bool_]]] = [[] for _ in x]
+    for starts, along, tracks in ((met, x, forwards), (met[::-1], x[::-1], backwards)):
+        for k, (start, estimated) in enumerate(zip(starts, tracks, strict=True)):
+            errors = heading_errors(space, along[k:], estimated)
+            start.append(errors[settling:] <= HEADING_LIMIT_DEG)
+    both = map(np.concatenate, met)
+    return np.array([own.mean() if len(own) else np.nan for own in both])
 
 
-def _state_sensitive(training: TrackerTraining, z: Array, back: bool) -> Array:
-    """Track by the paper's tracker from the single-image estimates of the first two frames."""
-    along = z[::-1] if back else z
-    x = training.state_sensitive.track(along, training.ridge.predict(along[:GIVEN])).x
-    return x[::-1] if back else x
+def _watched(tracks: Iterator[Array], advance: Callable[[int], None]) -> Iterator[Array]:
+    for track in tracks:
+        yield track
+        advance(1)
 
 
 @styled

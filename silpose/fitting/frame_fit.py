@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numba import njit
@@ -18,6 +18,7 @@ _NARROWING = 2.0  # iterations until it is smaller by 1
 _TRIAL = 3  # iterations after which starts are given up
 _HOPELESS = 60.0  # that cost so much more than the best one,
 _ALIKE = np.deg2rad(1.0)  # or differ so little in the mean angle from a cheaper one
+_NONE: Any = np.int64(0)  # iterations; for a plain 0, a type of its own, all is compiled anew
 
 
 class Gaussian(NamedTuple):
@@ -35,7 +36,7 @@ class Gaussian(NamedTuple):
 
 @njit(cache=True, nogil=True)
 def fit_frame(
-    start: Array, prior: Gaussian, observation: Observation, iterations: int, done: int = 0
+    start: Array, prior: Gaussian, observation: Observation, iterations: int, done: int
 ) -> tuple[Array, Array, float]:
     """Minimise misfit of contours and distance from the prior.
 
@@ -50,7 +51,7 @@ def fit_frame(
     observation : Observation
     iterations : int
         At most.
-    done : int, default=0
+    done : int
         Iterations that have led to the start.
 
     Returns
@@ -109,7 +110,7 @@ def fit_starts(
     ends, hessians = starts.copy(), np.empty((count, size, size))
     costs, trial = np.empty(count), min(_TRIAL, iterations)
     for k in range(count):
-        ends[k], hessians[k], costs[k] = fit_frame(starts[k], prior, observation, trial)
+        ends[k], hessians[k], costs[k] = fit_frame(starts[k], prior, observation, trial, _NONE)
     limit = min(cheapest, costs.min()) + _HOPELESS
     order, tried = np.argsort(costs), ends.copy()
     for place in range(count):
@@ -167,6 +168,6 @@ def cost_of_turning(
     own, turned, start = mean.copy(), mean.copy(), parameters.copy()
     start[0] += np.pi
     own[0], turned[0] = parameters[0], start[0]
-    _, _, cost = fit_frame(parameters, Gaussian(own, precision), observation, 0)
-    _, _, other = fit_frame(start, Gaussian(turned, precision), observation, iterations)
+    _, _, cost = fit_frame(parameters, Gaussian(own, precision), observation, _NONE, _NONE)
+    _, _, other = fit_frame(start, Gaussian(turned, precision), observation, iterations, _NONE)
     return other - cost

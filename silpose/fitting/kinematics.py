@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import acos, cos, sin, sqrt
+from math import acos, cos, sin, sqrt, tan
 
 import numpy as np
 from numba import njit
@@ -83,7 +83,7 @@ def _share_chest(local: Array, axes: Array) -> None:
     J(v / 3) J(v)^-1 w / 3.
     """
     vector = _logarithm(local[_CHEST])
-    turn = _left_jacobian(vector / 3) @ np.linalg.solve(_left_jacobian(vector), axes[_CHEST]) / 3
+    turn = _left_jacobian(vector / 3) @ (_inverse_left_jacobian(vector) @ axes[_CHEST]) / 3
     local[_CHEST] = _exponential(vector / 3)
     axes[_CHEST] = turn
 
@@ -135,3 +135,12 @@ def _left_jacobian(v: Array) -> Array:
         return np.eye(3) + cross / 2
     second = (angle - sin(angle)) / angle**3
     return np.eye(3) + (1 - cos(angle)) / angle**2 * cross + second * (cross @ cross)
+
+
+@njit(cache=True)
+def _inverse_left_jacobian(v: Array) -> Array:
+    angle, cross = sqrt((v**2).sum()), _cross_matrix(v)
+    if angle < _SMALL:
+        return np.eye(3) - cross / 2
+    second = (1 - angle / (2 * tan(angle / 2))) / angle**2
+    return np.eye(3) - cross / 2 + second * (cross @ cross)

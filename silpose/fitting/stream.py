@@ -192,7 +192,7 @@ class FitterStream:
         follows = self._state in ("tracking", "recovered")
         iterations = self._iterations if follows else max(self._iterations, _AT_FIRST)
         prior, observation = Gaussian(mean, precision), self._observation(seen)
-        parameters, hessian, _ = fit_frame(angles, prior, observation, iterations)
+        parameters, hessian, _ = fit_frame(angles, prior, observation, iterations, 0)
         of = seen.root, self._geometry, self._fitter.view
         iou = self._working.overlap(seen.mask, parameters, *of)
         return End(parameters, hessian, precision, iou, start is None)

@@ -22,6 +22,7 @@ of a dataset, what is tracked goes to evaluation, recordings and the live model.
 from silpose.tracking.base_tracker import Tracker, TrackerStream
 from silpose.tracking.belief_tracker import BeliefTracker
 from silpose.tracking.dynamics import SecondOrderDynamics
+from silpose.tracking.every_start import belief_tracks, single_pose_tracks
 from silpose.tracking.multiple_hypothesis_tracker import MultipleHypothesisTracker
 from silpose.tracking.resampling import times_of, track_at
 from silpose.tracking.selection import (
@@ -63,12 +64,14 @@ __all__ = [
     "TrackerSelection",
     "TrackerStream",
     "TrackingCandidates",
+    "belief_tracks",
     "choose_belief_tracker",
     "choose_dynamics",
     "choose_hypothesis_tracker",
     "choose_single_pose_tracker",
     "choose_smoothing_baselines",
     "observed_and_sampled",
+    "single_pose_tracks",
     "times_of",
     "track_at",
 ]

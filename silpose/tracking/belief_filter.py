@@ -97,30 +97,31 @@ class BeliefFilter:
         return belief, self._state
 
 
-def fixed_lag_smooth(
-    beliefs: Array, likelihoods: Array, transitions: Transitions, lag: int
-) -> Array:
-    """Condition every belief on the next `lag` frames, too.
+def expected_ahead(likelihoods: Array, transitions: Transitions, lag: int) -> Array:
+    """Expect what is seen in the next frames.
 
     Parameters
     ----------
-    beliefs, likelihoods : ndarray, shape (F, K)
+    likelihoods : ndarray, shape (F, K)
     transitions : Transitions
     lag : int
-        Frames.
+        Number of frames; fewer at the end.
 
     Returns
     -------
-    smoothed : ndarray, shape (F, K)
-        Rows sum to 1.
+    ahead : ndarray, shape (F, K)
+        Likelihood of frames t+1 to t+lag given each key pose at t, up to a factor for each frame.
     """
-    frames = len(beliefs)
-    # ahead[t]: likelihood of frames t+1 to t+h given each key pose at t; h grows by 1 a round.
-    ahead = np.ones_like(beliefs)
-    for _ in range(min(lag, frames - 1)):
+    ahead = np.ones_like(likelihoods)
+    for _ in range(min(lag, len(likelihoods) - 1)):  # of one frame more in each round
         message = transitions.backward(likelihoods[1:] * ahead[1:])
         peak = message.max(axis=1, keepdims=True)
-        ahead = np.vstack([message / np.where(peak > 0, peak, 1), np.ones(beliefs.shape[1])])
+        ahead = np.vstack([message / np.where(peak > 0, peak, 1), np.ones(ahead.shape[1])])
+    return ahead
+
+
+def smooth(beliefs: Array, ahead: Array) -> Array:
+    """Condition beliefs (F, K) on what was seen later; of `expected_ahead`. Rows sum to 1."""
     smoothed = beliefs * ahead
     total = smoothed.sum(axis=1, keepdims=True)
     return np.where(total > 0, smoothed / np.where(total > 0, total, 1), beliefs)

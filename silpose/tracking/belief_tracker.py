@@ -23,7 +23,7 @@ from silpose.core.random_states import RandomState
 from silpose.core.serialisation import State, prefixed, without_prefix
 from silpose.core.types import Array
 from silpose.tracking.base_tracker import TrackerStream
-from silpose.tracking.belief_filter import BeliefFilter, fixed_lag_smooth
+from silpose.tracking.belief_filter import BeliefFilter, expected_ahead, smooth
 from silpose.tracking.checks import checked_lag
 from silpose.tracking.distances import FEW, kernel, rows_at_once
 from silpose.tracking.key_examples import KeyPoseComparison
@@ -126,7 +126,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
 
     def _surprise(self, z: Array) -> float:
         """Return the largest surprise in a take (F, d)."""
-        run, largest = self._filter(self.transitions_), 0.0
+        run, largest = self.bayes_filter(self.transitions_), 0.0
         rows = rows_at_once(len(self.sizes_))
         for start in range(0, len(z), rows):
             for row in self.likelihoods(self.examples_.compare(z[start : start + rows])):
@@ -188,7 +188,7 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
     def start(self, initial: ArrayLike | None = None) -> TrackerStream[BeliefFilter]:
         """Start a stream of frames; `initial` as of `Tracker.start`."""
         known = self._known(initial)
-        run = self._filter(self.transitions_)
+        run = self.bayes_filter(self.transitions_)
         for row in self._pose_likelihoods(known):
             run.step(row)
         return TrackerStream(self, run)
@@ -229,15 +229,16 @@ class BeliefTracker(KeyPoseTracker[BeliefFilter]):
         likelihoods = self.likelihoods(comparison)
         if known is not None and len(known):
             likelihoods[: len(known)] = self._pose_likelihoods(known)
-        run = self._filter(transitions)
+        run = self.bayes_filter(transitions)
         frames = zip(likelihoods, comparison.blank.tolist(), strict=True)
         steps = [run.step(row, blank) for row, blank in frames]
         beliefs, states = np.array([belief for belief, _ in steps]), [state for _, state in steps]
         if lag:
-            beliefs = fixed_lag_smooth(beliefs, likelihoods, transitions, lag)
+            beliefs = smooth(beliefs, expected_ahead(likelihoods, transitions, lag))
         return beliefs, states
 
-    def _filter(self, transitions: Transitions) -> BeliefFilter:
+    def bayes_filter(self, transitions: Transitions) -> BeliefFilter:
+        """Return a filter that has seen nothing yet."""
         prior, headings = self.sizes_ / self.sizes_.sum(), self.examples_.headings
         return BeliefFilter(transitions, prior, headings, self.tolerance_, self.restart > 0)
 

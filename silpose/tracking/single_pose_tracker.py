@@ -146,7 +146,7 @@ class SinglePoseTracker(Tracker[SinglePose]):
         if checked_lag(lag):
             raise InputError(f"lag must be 0 for a single pose, not {lag}: use a BeliefTracker")
         z, known = self._checked(z, initial, frames_per_second)
-        run = self._initialised(self._known(initial), min(GIVEN, len(z)))
+        run = self.begin(self._known(initial), min(GIVEN, len(z)))
         x, states = list(known), [run.state] * len(known)
         activations = [run.activations] * len(known)
         for row in z[len(known) :]:
@@ -164,7 +164,7 @@ class SinglePoseTracker(Tracker[SinglePose]):
         initial : array-like, shape (P, D)
             Poses of the two frames before the first one, or of more.
         """
-        return TrackerStream(self, self._initialised(self._known(initial), GIVEN))
+        return TrackerStream(self, self.begin(self._known(initial)))
 
     def advance(self, run: SinglePose, z: Array) -> tuple[Array, str]:
         """Track one frame more, with descriptor (d,); return pose (D,) and state."""
@@ -178,7 +178,8 @@ class SinglePoseTracker(Tracker[SinglePose]):
         run.before, run.last = run.last, x
         return x, run.state
 
-    def _initialised(self, known: Array, needed: int) -> SinglePose:
+    def begin(self, known: Array, needed: int = GIVEN) -> SinglePose:
+        """Return the state after known poses (P, D); so many are needed."""
         if len(known) < needed:
             raise InputError(
                 f"this tracker cannot start by itself: give the poses of {GIVEN} frames as "

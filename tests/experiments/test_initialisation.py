@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose.core.pose_space import ANGLES
-from silpose.experiments.initialisation import LOCKED_SHARE, share_within
+from silpose.experiments.initialisation import LOCKED_SHARE, shares_within
 
 
 @pytest.fixture(scope="module")
@@ -26,18 +26,18 @@ def test_waiting_for_later_frames_does_not_lose_the_track(initialisation):
 
 
 def test_frames_count_after_settling_and_in_both_directions():
-    angles = np.zeros((30, 54))
-    x = ANGLES.from_angles(angles)
+    x = ANGLES.from_angles(np.zeros((30, 54)))
 
-    def late(z, back):
-        """Headings off until ten frames after the start."""
-        off = np.zeros((len(z), 54))
-        first = np.arange(len(z))[::-1] if back else np.arange(len(z))
-        off[first < 10, 0] = 90
-        return ANGLES.from_angles(off)
+    def late():
+        """Headings that are off until ten frames after each start."""
+        for start in range(len(x)):
+            off = np.zeros((len(x) - start, 54))
+            off[:10, 0] = 90
+            yield ANGLES.from_angles(off)
 
-    assert share_within(ANGLES, x, x, 0, 10, late) == 1
-    assert share_within(ANGLES, x, x, 0, 5, late) == pytest.approx(20 / 25)
-    assert share_within(ANGLES, x, x, 29, 5, late) == pytest.approx(20 / 25)
-    assert share_within(ANGLES, x, x, 14, 5, late) == pytest.approx((6 + 5) / (11 + 10))
-    assert np.isnan(share_within(ANGLES, x[:3], x[:3], 1, 5, late))
+    assert np.all(shares_within(ANGLES, x, late(), late(), 10)[[0, 14, 29]] == 1)
+    shares = shares_within(ANGLES, x, late(), late(), 5)
+    assert shares[0] == shares[29] == pytest.approx(20 / 25)
+    assert shares[14] == pytest.approx((6 + 5) / (11 + 10))
+    short = [x[:3], x[:2], x[:1]]
+    assert np.isnan(shares_within(ANGLES, x[:3], short, short, 5)).all()

@@ -19,8 +19,8 @@ def frame(body, view, walk, estimated, prior):
 
 def test_a_fit_may_be_interrupted(frame):
     angles, of = frame
-    through, _, cost = fit_frame(angles, *of, 6)
-    half, _, _ = fit_frame(angles, *of, 3)
+    through, _, cost = fit_frame(angles, *of, 6, 0)
+    half, _, _ = fit_frame(angles, *of, 3, 0)
     again, _, same = fit_frame(half, *of, 6, 3)
     np.testing.assert_allclose(again, through)
     assert same == pytest.approx(cost)
@@ -34,5 +34,5 @@ def test_starts_that_lead_nowhere_are_given_up(frame):
     ends, _, costs = fit_starts(starts, *of, 8, np.inf)
     assert np.isnan(costs[0]) and np.isfinite(costs[1:]).sum() == 1
     best = int(np.nanargmin(costs))
-    np.testing.assert_allclose(ends[best], fit_frame(starts[best], *of, 8)[0])
+    np.testing.assert_allclose(ends[best], fit_frame(starts[best], *of, 8, 0)[0])
     assert np.isnan(fit_starts(starts, *of, 8, costs[best] - 200)[2]).all()

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from silpose.tracking.belief_filter import BeliefFilter, fixed_lag_smooth, update
+from silpose.tracking.belief_filter import BeliefFilter, expected_ahead, smooth, update
 from silpose.tracking.transitions import Transitions
 
 
@@ -37,7 +37,7 @@ def by_enumeration(transitions, likelihoods, frame, last):
 @pytest.mark.parametrize("lag", [0, 1, 3, 20])
 def test_smoothing_gives_the_posterior(chain, lag):
     transitions = Transitions.of_dense(chain[0])
-    smoothed = fixed_lag_smooth(forward(*chain), chain[1], transitions, lag)
+    smoothed = smooth(forward(*chain), expected_ahead(chain[1], transitions, lag))
     for frame in range(8):
         assert smoothed[frame] == pytest.approx(by_enumeration(*chain, frame, min(frame + lag, 7)))
 
