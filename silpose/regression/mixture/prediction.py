@@ -67,14 +67,14 @@ class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
             estimated = self._density.mean(self._inputs(X)) * self.scale_ + self.mean_
         return estimated[:, 0] if self._single else estimated
 
-    def predict_modes(self, z: ArrayLike, k: int) -> tuple[Array, Array, Array]:
+    def predict_modes(self, z: ArrayLike | MixtureInput, k: int) -> tuple[Array, Array, Array]:
         """Return the k most probable modes, best first.
 
         Components that agree are one mode, at their weighted mean.
 
         Parameters
         ----------
-        z : array-like, shape (n, d)
+        z : array-like, shape (n, d), or MixtureInput
         k : int
             Number of modes.
 
@@ -141,7 +141,7 @@ class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
         drawn = self._density.sample(self._inputs(z), count, np.random.default_rng(seed))
         return drawn * self.scale_ + self.mean_
 
-    def log_likelihoods(self, z: ArrayLike, x: ArrayLike) -> Array:
+    def log_likelihoods(self, z: ArrayLike | MixtureInput, x: ArrayLike) -> Array:
         """Log p(x|z) of each example.
 
         Outputs are on the scale of their standard deviations in training, and those that are
@@ -149,7 +149,8 @@ class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
 
         Parameters
         ----------
-        z, x : array-like, shapes (n, d) and (n, D)
+        z : array-like, shape (n, d), or MixtureInput
+        x : array-like, shape (n, D)
 
         Returns
         -------
@@ -196,8 +197,15 @@ class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
             self.shared_width, self.shared_temperature, self.outlier_probability, self.floor,
         )  # fmt: skip
 
-    def _inputs(self, z: ArrayLike) -> MixtureInput:
+    def reduce(self, z: ArrayLike) -> MixtureInput:
+        """Reduce inputs (n, d) to what densities depend on.
+
+        Methods take it in place of z. Where only parameters of prediction differ, it is the same.
+        """
         return self._reduce(validate_data(self, z, dtype=float, reset=False))
+
+    def _inputs(self, z: ArrayLike | MixtureInput) -> MixtureInput:
+        return z if isinstance(z, MixtureInput) else self.reduce(z)
 
     def _reduce(self, z: Array) -> MixtureInput:
         shared = None if self.shared_ is None else self.shared_.regressor.evaluate(z)

@@ -15,6 +15,7 @@ from silpose.core.known_results import KnownResults
 from silpose.core.once import Once
 from silpose.core.parallel import parallel_map
 from silpose.core.types import Array, Examples, Row, Settings
+from silpose.regression.mixture.density import MixtureInput
 from silpose.regression.mixture.mixture import MixtureOfRegressors
 from silpose.regression.mixture.modes import MODES, normalised
 from silpose.regression.mixture.shared_regressor import SharedFit
@@ -110,11 +111,17 @@ def choose_mixture(
     once = tuple(name for name in first if name not in _PREDICTION)
     known = (known or KnownResults()).depending_on(candidates)
     fitted: dict[tuple[Fold, tuple[Any, ...]], MixtureOfRegressors] = {}
+    inputs: Once[MixtureInput] = Once()
 
     def mixture(fold: Fold, setting: Settings) -> MixtureOfRegressors:
         """Return a fitted mixture that predicts with some settings."""
         own = copy(fitted[fold, tuple(setting[name] for name in once)])
         return own.set_params(**setting)
+
+    def reduced(fold: Fold, setting: Settings) -> MixtureInput:
+        """Return held-out inputs, which settings of prediction have in common."""
+        key = fold, tuple(setting[name] for name in once)
+        return inputs.get(key, lambda: mixture(fold, setting).reduce(fold.z_validation))
 
     def fit(settings: Sequence[Settings]) -> None:
         """Fit to every fold, unless that was done already."""
@@ -142,11 +149,11 @@ def choose_mixture(
         chosen.update(settings_of(row, names))
         return float(row[score])
 
-    likelihood = partial(_log_likelihoods, mixture)
+    likelihood = partial(_log_likelihoods, mixture, reduced)
     reached = stage(first, likelihood, _LIKELIHOOD, fitted_once=first)
     for names in _SHARED_STAGES if shared is not None else ():
         reached = stage(names, likelihood, _LIKELIHOOD, fitted_once=names)
-    stage(("calibration_exponent",), partial(_brier_scores, mixture, distance), _BRIER)
+    stage(("calibration_exponent",), partial(_brier_scores, mixture, reduced, distance), _BRIER)
     fit([chosen])
     by_fold = [(fold, mixture(fold, chosen)) for fold in pairs]
     if validation:  # the only fold's training takes are all of them
@@ -186,12 +193,13 @@ def _fit(
 
 def _log_likelihoods(
     mixture: Callable[[Fold, Settings], MixtureOfRegressors],
+    reduced: Callable[[Fold, Settings], MixtureInput],
     fold: Fold,
     settings: Sequence[Settings],
 ) -> list[Outcome]:
     """Score settings by the mean log-likelihood of held-out frames."""
     found = (
-        mixture(fold, setting).log_likelihoods(fold.z_validation, fold.x_validation)
+        mixture(fold, setting).log_likelihoods(reduced(fold, setting), fold.x_validation)
         for setting in settings
     )
     return [Outcome.of(values.sum() / fold.frames) for values in found]
@@ -199,13 +207,14 @@ def _log_likelihoods(
 
 def _brier_scores(
     mixture: Callable[[Fold, Settings], MixtureOfRegressors],
+    reduced: Callable[[Fold, Settings], MixtureInput],
     distance: Distance,
     fold: Fold,
     settings: Sequence[Settings],
 ) -> list[Outcome]:
     """Score calibration exponents by how well weights predict which mode is nearest."""
     plain = mixture(fold, settings[0] | {"calibration_exponent": 1.0})
-    weights, means, _ = plain.predict_modes(fold.z_validation, MODES)
+    weights, means, _ = plain.predict_modes(reduced(fold, settings[0]), MODES)
     distances = distance(fold.x_validation[:, None], means)
     nearest = np.where(weights > 0, distances, np.inf).argmin(axis=1)
     truth = np.arange(MODES) == nearest[:, None]
