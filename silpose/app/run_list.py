@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
-from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
 from silpose.app.paths import shorten_path
 from silpose.app.served import RECORDINGS
+from silpose.app.terminal import Terminal
 from silpose.experiments.catalogue import CATALOGUE
 from silpose.recording import FinishedRun, find_runs
+
+_NARROW = 80  # characters below which a run has several lines
 
 
 def print_runs(root: Path) -> None:
@@ -23,16 +25,20 @@ def print_runs(root: Path) -> None:
     root : Path
     """
     finished, others = find_runs(root) if root.is_dir() or root != RECORDINGS else ([], [])
-    console = Console()
+    console = Terminal()
     console.print(_experiments(Counter(run.experiment for run in finished)))
-    console.print(_runs(finished[::-1]) if finished else f"no finished runs below '{root}'")
+    console.print(
+        _runs(finished[::-1], narrow=console.width < _NARROW)
+        if finished
+        else f"no finished runs below '{root}'"
+    )
     for folder in others:
         console.print(f"[dim]{escape(shorten_path(folder))} was not finished[/dim]")
 
 
 def _experiments(runs: Counter[str]) -> Table:
     table = Table("experiment", "question", "runs", box=None, pad_edge=False)
-    table.columns[0].no_wrap = True
+    table.columns[0].no_wrap, table.columns[1].overflow = True, "fold"
     table.columns[2].justify = "right"
     for name, entry in CATALOGUE.items():
         table.add_row(name, entry.question, str(runs[name] or ""))
@@ -40,14 +46,24 @@ def _experiments(runs: Counter[str]) -> Table:
     return table
 
 
-def _runs(runs: list[FinishedRun]) -> Table:
-    from silpose.evaluation import headlines
-
-    table = Table("run", "data", "shown", "result", box=None, pad_edge=False)
-    table.columns[0].no_wrap, table.columns[1].overflow = True, "fold"
+def _runs(runs: list[FinishedRun], *, narrow: bool) -> Table:
+    table = Table("run", "data", "best", box=None, pad_edge=False)
+    if narrow:
+        table = Table("runs", box=None, pad_edge=False)
     for run in runs:
-        shown = {run.shown: run.metrics[run.shown]} if run.shown in run.metrics else {}
-        (_, *titles), rows = headlines(shown)
-        result = f"{rows[0][1]} {titles[0]}" if titles else run.summary
-        table.add_row(*map(escape, (shorten_path(run.folder), run.dataset, run.shown, result)))
+        cells = [escape(text) for text in (shorten_path(run.folder), run.dataset, _best(run))]
+        table.add_row(*(["\n  ".join(filter(None, cells))] if narrow else cells))
+    table.columns[0].overflow = "fold"
+    table.columns[0].no_wrap = not narrow
     return table
+
+
+def _best(run: FinishedRun) -> str:
+    """Name the method of least error, and its first headline."""
+    from silpose.evaluation import best_first, headlines
+
+    ordered, best = best_first(run.metrics)
+    if best is None and len(ordered) == 1:
+        (best,) = ordered
+    (_, *titles), rows = headlines({best: ordered[best]} if best else {})
+    return f"{best} {rows[0][1]} {titles[0]}" if titles else run.summary

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import yaml
-from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
@@ -16,6 +15,7 @@ from silpose.app.config import choices, load, plain
 from silpose.app.registry import ALTERNATIVES, COMPONENTS, Component, experiment
 from silpose.app.signatures import REQUIRED
 from silpose.app.suggestions import nearest
+from silpose.app.terminal import Terminal
 from silpose.core.errors import InputError
 
 _EXPERIMENT = "experiment"
@@ -35,7 +35,7 @@ def print_settings(wanted: Sequence[str] = (), overrides: Sequence[str] = ()) ->
         Such as ``"motion=bvh"``, for the values and the choices.
     """
     given = plain(load(overrides))
-    console = Console()
+    console = Terminal()
     if not wanted:
         console.print(_group_table(overrides))
     chosen = False

@@ -9,6 +9,7 @@ from rich.markup import escape
 from rich.table import Table
 
 from silpose.app.paths import pasted, rerun_command, shorten_path
+from silpose.app.terminal import Terminal
 from silpose.core.stage_lines import animated
 from silpose.evaluation import best_first, explanations, headlines
 from silpose.experiments import CATALOGUE
@@ -20,7 +21,7 @@ _BETWEEN = 3  # characters between two columns
 
 def summarise(run: FinishedRun) -> None:
     """Print the results of a run, and the line that opens its recording."""
-    console = Console()
+    console = Terminal()
     if run.report:
         console.print(run.report, markup=False, highlight=False, soft_wrap=True)
     if run.metrics:

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rich.console import Console
 from rich.table import Table
 
 from silpose.app.paths import shorten_path
 from silpose.app.sweep.figure import sweep_figure
 from silpose.app.sweep.outcomes import Outcome, outcomes, spreads
 from silpose.app.sweep.plan import SweepPlan
+from silpose.app.terminal import Terminal
 from silpose.core.atomic_files import writing
 from silpose.core.csv_text import csv_text
 from silpose.evaluation.headlines import HEADLINES
@@ -47,7 +47,7 @@ def report(plan: SweepPlan) -> Done:
 
 
 def _print(folder: Path, found: Sequence[Outcome]) -> None:
-    console = Console()
+    console = Terminal()
     ready = [each for each in found if each.run is not None]
     if ready:
         console.print(f"{folder.parent.name}: {folder.name}", highlight=False)

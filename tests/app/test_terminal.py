@@ -1,0 +1,18 @@
+import subprocess
+import sys
+
+import pytest
+
+
+@pytest.mark.parametrize("command", ["list", "settings"])
+def test_a_reader_that_has_read_enough_is_no_error(command, tmp_path):
+    """As of `head -1`, which closes the pipe after a line."""
+    run = subprocess.Popen(
+        [sys.executable, "-m", "silpose", command],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        cwd=tmp_path,
+    )
+    run.stdout.close()
+    assert run.stderr.read() == b""
+    assert run.wait() == 0
