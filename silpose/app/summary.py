@@ -12,6 +12,7 @@ from silpose.app.paths import pasted, rerun_command, shorten_path
 from silpose.app.terminal import Terminal
 from silpose.core.stage_lines import animated
 from silpose.evaluation import best_first, explanations, headlines
+from silpose.evaluation.headlines import HEADLINES, Results
 from silpose.experiments import CATALOGUE
 from silpose.experiments.catalogue import Entry
 from silpose.recording import FinishedRun
@@ -50,17 +51,25 @@ def results(run: FinishedRun, width: int = 80) -> Group:
     width : int, default=80
         Characters of a line. Columns that do not fit stand in further tables below.
     """
-    entry = CATALOGUE.get(run.experiment, Entry(""))
     ordered, best = best_first(run.metrics)
+    title = f"{escape(run.dataset)}: {CATALOGUE.get(run.experiment, Entry('')).table}"
+    tables: list[Table] = []
+    for group in _with_columns_in_common(ordered):
+        tables += _tables(run, {method: ordered[method] for method in group}, best, width)
+    tables[0].title = title
+    return Group(*tables)
+
+
+def _tables(run: FinishedRun, ordered: Results, best: str | None, width: int) -> list[Table]:
+    first = CATALOGUE.get(run.experiment, Entry("")).rows
     (_, *titles), rows = headlines(ordered)
     columns = list(zip(titles, *(own for _, *own in rows), strict=True))
     least = [max(map(len, (*title.split(), *values))) for title, *values in columns]
-    room = width - max(map(len, (entry.rows, *ordered))) - (_BETWEEN + 1)
+    room = width - max(map(len, (first, *ordered))) - (_BETWEEN + 1)
     tables: list[Table] = []
     for part in _parts(least, room):
-        title = "" if tables else f"{escape(run.dataset)}: {entry.table}"
-        table = Table(title=title, title_justify="left", title_style="")
-        table.add_column(entry.rows, no_wrap=True)
+        table = Table(title_justify="left", title_style="")
+        table.add_column(first, no_wrap=True)
         spare = room - sum(least[k] + _BETWEEN for k in part)
         for k in part:
             wide = min(max(len(titles[k]), least[k]), least[k] + spare)
@@ -70,7 +79,19 @@ def results(run: FinishedRun, width: int = 80) -> Group:
             style = "bold" if method == best else ""
             table.add_row(escape(method), *(values[k] for k in part), style=style)
         tables.append(table)
-    return Group(*tables)
+    return tables
+
+
+def _with_columns_in_common(results: Results) -> list[list[str]]:
+    """Group methods, so that tables of those without a column in common are not half empty."""
+    groups: list[tuple[set[str], list[str]]] = []
+    for method, values in results.items():
+        columns, members = set(values) & set(HEADLINES), [method]
+        for group in [own for own in groups if own[0] & columns]:
+            groups.remove(group)
+            columns, members = columns | group[0], [*group[1], *members]
+        groups.append((columns, members))
+    return [[method for method in results if method in members] for _, members in groups]
 
 
 def _parts(widths: Sequence[int], room: int) -> list[list[int]]:

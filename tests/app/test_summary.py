@@ -22,6 +22,18 @@ def test_names_are_whole_in_a_narrow_terminal(tmp_path):
     assert all(value in told for value in ("tracker_given_start", "1.64", "4.8°", "100%", "82%"))
 
 
+def test_no_table_is_half_empty(tmp_path):
+    kinds = {
+        kind: {"frames_by_neighbours": 0.25, "found_by_modes": 0.5} for kind in ("arms", "legs")
+    }
+    metrics = kinds | {"two_modes": {"frames": 0.125, "error_of_first": 3.5}}
+    run = FinishedRun(tmp_path, "ambiguity", "data", metrics, {}, "")
+    first, second = results(run).renderables
+    assert [first.row_count, second.row_count] == [2, 1]
+    assert [len(first.columns), len(second.columns)] == [3, 3]
+    assert first.title and not second.title
+
+
 @pytest.mark.parametrize("width", [40, 60, 80])
 def test_no_value_is_cut_in_a_narrow_terminal(tmp_path, width):
     values = {
