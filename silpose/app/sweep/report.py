@@ -62,7 +62,8 @@ def _print(folder: Path, found: Sequence[Outcome]) -> None:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
         console.print(_spread(values))
     best = _best(ready)
-    if len(best) > 1 and best[0].run and best[0].run.headline is not None:
+    chosen = len(best) > 1 and set(best[0].varied) != {"seed"}  # seeds are not to be chosen from
+    if chosen and best[0].run and best[0].run.headline is not None:
         line = f"Lowest headline: {best[0].run.headline:.4g}, of {best[0].folder.name}"
         console.print(line, markup=False, highlight=False, soft_wrap=True)
     recorded = [each for each in best if each.run and each.run.recording.is_file()]

@@ -30,3 +30,17 @@ def test_a_sweep_is_reported_in_the_terminal_and_as_files(tmp_path, capsys):
     assert [row["ridge.error"] for row in rows] == ["10.0", "20.0", ""]
     assert rows[2]["reason"] == "width must be positive, not 0"
     assert (folder / "sweep.png").stat().st_size > 0
+
+
+def test_no_seed_is_recommended(tmp_path, capsys):
+    folder = tmp_path / "e" / "s"
+    write_definition(folder, {"varied": ["seed"]})
+    for seed in (0, 1):
+        run = RunFolder.start(
+            "e", f"{{seed: {seed}}}", root=tmp_path, sweep="s", name=f"seed_{seed}"
+        )
+        write_result(run, Result("walker", {"ridge": {"error": 3.0}}, headline=seed), seed, {})
+    report(SimpleNamespace(folders=(folder,)))
+    out = capsys.readouterr().out
+    assert "over 2 seeds" in out
+    assert "Lowest" not in out
