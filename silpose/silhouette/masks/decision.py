@@ -6,8 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from silpose.core.errors import InputError
 from silpose.core.types import Array
+from silpose.silhouette.masks.cut_outs import plane_of_cut_outs
 from silpose.silhouette.masks.encoding import Encoding, NoMasksError
 from silpose.silhouette.masks.labels import Labels, choose_labels, is_label_image
 from silpose.silhouette.masks.levels import Levels
@@ -134,29 +137,46 @@ class _Decision:
         if self.plane.colours and shows_nothing(levels):
             return self._nothing()
         shadow = shadow_of(levels)
-        self._check_masks(shadow)
+        like = like_masks(levels, shadow)
+        photos = not like.all()
+        if photos or shadow is None:
+            cut_outs = plane_of_cut_outs(self.pictures, no_masks=photos)
+            if cut_outs is not None:
+                return self._cut_out(cut_outs)
+        if photos:
+            raise self._photos(like)
         return self._between(*self._span(), "soft", shadow)
 
-    def _check_masks(self, shadow: float | None) -> None:
-        """Refuse photos; a single one among masks is named."""
-        like = like_masks(self.levels, shadow)
-        if like.all():
-            return
+    def _cut_out(self, plane: Plane) -> Encoding:
+        doubt = (
+            f"{self.source} holds no masks, but pictures before one colour: {plane.name} is taken "
+            "for the person"
+        )
+        return Encoding(plane, Threshold(0), plane.name, (doubt,))
+
+    def _photos(self, like: NDArray[np.bool_]) -> InputError:
+        """Give the error about photos; a single one among masks is named."""
         if like.mean() > 0.5:
             odd = self.pictures[int(np.argmin(like))].name
-            raise NoMasksError(
+            return NoMasksError(
                 f"'{odd}' of {self.source} is no mask, but a picture of many shades: remove it, or "
                 "segment it as the others"
             )
-        raise NoMasksError(
-            self._no_masks("colour images" if self.plane.colours else "images of many shades")
-        )
+        kind = "colour images" if self.plane.colours else "images of many shades"
+        return NoMasksError(self._no_masks(kind))
 
     def _no_masks(self, kind: str) -> str:
-        return (
-            f"{self.source} holds no masks; these look like {kind}: {_SEGMENT}, or, if they are "
-            "masks, say what is the person by silhouette.threshold=128 (in Python threshold=128)"
-        )
+        if self.plane.colours:
+            how = (
+                "the person is before one colour, say how far from it, of 255, by "
+                "silhouette.threshold=40 (in Python threshold=40)"
+            )
+        else:
+            how = (
+                "they are masks, say what is the person by silhouette.threshold=128 (in Python "
+                "threshold=128)"
+            )
+        return f"{self.source} holds no masks; these look like {kind}: {_SEGMENT}, or, if {how}"
 
     def _between(
         self, low: float, high: float, kind: str | None = None, shadow: float | None = None

@@ -188,12 +188,11 @@ def _read_all(files: Sequence[Path]) -> Animation:
 
 
 def _are_masks(files: Sequence[Path], options: MaskSource) -> bool:
-    """Whether a few of some files can be read as masks."""
+    """Whether a few of some files can be read as masks, not as cut-outs, which may lie beside."""
     sample = files[:: max(1, len(files) // _SAMPLE)]
     try:
-        decide(_read_all(sample).pictures, options, "")
+        return not decide(_read_all(sample).pictures, options, "").plane.cut_out
     except NoMasksError:
         return False
     except InputError:  # which is told when they are read
         return True
-    return True

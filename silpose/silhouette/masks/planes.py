@@ -31,12 +31,15 @@ class Plane:
         Whether the values are numbers that mean something by themselves.
     colours : bool, default=False
         Whether the values are distances from the background's colour.
+    cut_out : bool, default=False
+        Whether they are 1 where a picture differs from the background's one colour.
     """
 
     name: str
     of: Extract
     labels: bool = False
     colours: bool = False
+    cut_out: bool = False
 
 
 def choose_plane(pictures: Sequence[Picture], source: str, labels: bool = False) -> Plane:
@@ -61,7 +64,7 @@ def choose_plane(pictures: Sequence[Picture], source: str, labels: bool = False)
         return _palette(pictures, source, labels)
     plain = [grey_of(p.pixels) for p in map(_without_alpha, pictures) if p.pixels.ndim == 3]
     if all(pixels.ndim == 2 for pixels in plain):
-        return Plane("grey values", _grey)
+        return Plane("grey values", grey_or_colours)
     _check_odd_ones(pictures, source)
     return _colours(pictures)
 
@@ -118,7 +121,8 @@ def _without_alpha(picture: Picture) -> Picture:
     return Picture(picture.pixels[:, :, :-1], picture.name, None, picture.lossy)
 
 
-def _grey(picture: Picture) -> Pixels:
+def grey_or_colours(picture: Picture) -> Pixels:
+    """Return a picture's grey values (H, W), or its colours (H, W, 3) where these are not grey."""
     pixels = _without_alpha(picture).pixels
     return pixels if pixels.ndim == 2 else grey_of(pixels)
 

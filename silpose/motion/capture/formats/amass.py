@@ -38,6 +38,14 @@ _RATE = ("mocap_framerate", "mocap_frame_rate", "framerate", "frame_rate", "fps"
 LARGEST_TURN, LARGEST_STEP = 4 * np.pi, 1e4
 """Largest length of an axis-angle, radians, and largest position, metres."""
 
+_OTHER_ROTATIONS = {
+    9: "Rotation.from_matrix(poses.reshape(-1, 3, 3))",
+    4: "Rotation.from_quat(poses.reshape(-1, 4))",
+    6: "Rotation.from_matrix(M), whose first two columns are the halves of each row of "
+    "poses.reshape(-1, 6), and the third their cross product",
+}
+_UNIT = 1e-2  # by which the length of what is read as a unit vector differs from 1
+
 _MOTION_KEYS = (*_POSES, *_ROOT, *_BODY, *_PLACE)
 
 
@@ -134,6 +142,12 @@ def _turns(archive: Archive) -> tuple[Array, tuple[str, ...]]:
         raise archive.lacks(_POSES[:1], "axis-angles of SMPL's joints")
     else:
         values = archive.numbers(key)
+    if what := _other_rotations(values):
+        raise archive.refuse(
+            f"'{key}' of shape {values.shape} holds rotations of {what} numbers each, no axis-angles: "
+            f"convert them by SciPy, {_OTHER_ROTATIONS[what]}.as_rotvec(), and save the result in "
+            f"the shape ({len(values)}, {values.size // (len(values) * what)}, 3)"
+        )
     shape = values.shape
     flat = values.reshape(len(values), -1) if values.ndim == 3 and shape[-1] == 3 else values
     if flat.ndim != 2 or flat.shape[1] < columns or flat.shape[1] % 3 or not len(flat):
@@ -152,6 +166,25 @@ def _turns(archive: Archive) -> tuple[Array, tuple[str, ...]]:
     if largest > 720:
         raise archive.refuse(f"'{key}' holds turns up to {largest:.0f}; expected radians")
     return np.deg2rad(turns), (note,)
+
+
+def _other_rotations(values: Array) -> int | None:
+    """How many numbers each rotation has, if they are quaternions, matrices or parts of these."""
+    if not values.size or values.ndim < 2:
+        return None
+    for size in _OTHER_ROTATIONS:
+        if values[0].size % size:
+            continue
+        own = values.reshape(-1, size)
+        vectors = own if size == 4 else own.reshape(len(own), -1, 3)
+        lengths = np.linalg.norm(vectors, axis=-1)
+        if (np.abs(lengths - 1) < _UNIT).all():
+            return size
+        if size == 6:  # the first two columns, row by row
+            lengths = np.linalg.norm(own.reshape(-1, 3, 2), axis=1)
+            if (np.abs(lengths - 1) < _UNIT).all():
+                return size
+    return None
 
 
 def _place(archive: Archive, count: int) -> Array:
