@@ -39,10 +39,9 @@ LARGEST_TURN, LARGEST_STEP = 4 * np.pi, 1e4
 """Largest length of an axis-angle, radians, and largest position, metres."""
 
 _OTHER_ROTATIONS = {
-    9: "Rotation.from_matrix(poses.reshape(-1, 3, 3))",
-    4: "Rotation.from_quat(poses.reshape(-1, 4))",
-    6: "Rotation.from_matrix(M), whose first two columns are the halves of each row of "
-    "poses.reshape(-1, 6), and the third their cross product",
+    4: "quaternions (x, y, z, w), by Rotation.from_quat",
+    6: "two columns of matrices, by Rotation.from_matrix, the third column being their np.cross",
+    9: "matrices, by Rotation.from_matrix",
 }
 _UNIT = 1e-2  # by which the length of what is read as a unit vector differs from 1
 
@@ -142,11 +141,12 @@ def _turns(archive: Archive) -> tuple[Array, tuple[str, ...]]:
         raise archive.lacks(_POSES[:1], "axis-angles of SMPL's joints")
     else:
         values = archive.numbers(key)
-    if what := _other_rotations(values):
+    if size := _other_rotations(values):
+        joints = values.size // (len(values) * size)
         raise archive.refuse(
-            f"'{key}' of shape {values.shape} holds rotations of {what} numbers each, no axis-angles: "
-            f"convert them by SciPy, {_OTHER_ROTATIONS[what]}.as_rotvec(), and save the result in "
-            f"the shape ({len(values)}, {values.size // (len(values) * what)}, 3)"
+            f"'{key}' of shape {values.shape} holds no axis-angles: convert them from "
+            f"{_OTHER_ROTATIONS[size]} of SciPy and its as_rotvec, to shape ({len(values)}, "
+            f"{joints}, 3)"
         )
     shape = values.shape
     flat = values.reshape(len(values), -1) if values.ndim == 3 and shape[-1] == 3 else values
@@ -169,22 +169,21 @@ def _turns(archive: Archive) -> tuple[Array, tuple[str, ...]]:
 
 
 def _other_rotations(values: Array) -> int | None:
-    """How many numbers each rotation has, if they are quaternions, matrices or parts of these."""
-    if not values.size or values.ndim < 2:
-        return None
-    for size in _OTHER_ROTATIONS:
-        if values[0].size % size:
-            continue
-        own = values.reshape(-1, size)
-        vectors = own if size == 4 else own.reshape(len(own), -1, 3)
-        lengths = np.linalg.norm(vectors, axis=-1)
-        if (np.abs(lengths - 1) < _UNIT).all():
-            return size
-        if size == 6:  # the first two columns, row by row
-            lengths = np.linalg.norm(own.reshape(-1, 3, 2), axis=1)
-            if (np.abs(lengths - 1) < _UNIT).all():
-                return size
-    return None
+    """How many numbers a rotation has, if these are quaternions or columns of matrices."""
+    each = values[0].size if values.ndim > 1 and len(values) else 0
+    if each and each % 4 == 0 and _are_units(values.reshape(-1, 4)):
+        return 4
+    if each and each % 3 == 0 and _are_units(vectors := values.reshape(-1, 3)):
+        if each % 9:
+            return 6
+        first, second, third = (vectors[k::3] for k in range(3))
+        return 9 if np.abs(np.cross(first, second) - third).max() < _UNIT else 6
+    interleaved = each and each % 6 == 0
+    return 6 if interleaved and _are_units(values.reshape(-1, 3, 2).swapaxes(1, 2)) else None
+
+
+def _are_units(vectors: Array) -> bool:
+    return bool((np.abs(np.linalg.norm(vectors, axis=-1) - 1) < _UNIT).all())
 
 
 def _place(archive: Archive, count: int) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 
@@ -59,7 +60,7 @@ class Archive:
         return next((key for key in keys if key in self._stored), None)
 
     def numbers(self, key: str) -> Array:
-        """Read an array of real numbers."""
+        """Read an array of real numbers, which may be written as text."""
         try:
             values = self._read(key)
         except DAMAGE as error:
@@ -69,6 +70,9 @@ class Archive:
                 f"'{key}' cannot be read: it is pickled, which is not opened, or damaged; save it "
                 "as an array of numbers"
             ) from error
+        if values.dtype.kind in "SU":
+            with suppress(ValueError):
+                return values.astype(float)
         if not np.issubdtype(values.dtype, np.number) or np.iscomplexobj(values):
             raise self.refuse(f"'{key}' holds {values.dtype}, not numbers")
         return values.astype(float)

@@ -63,11 +63,12 @@ def layouts(turns):
             "gender": np.array(None, dtype=object),
             "betas": np.array({}, dtype=object),
         },
+        {"poses": flat, "mocap_framerate": np.array("60")},
         {"poses": flat, "gender": np.array(b"male"), "labels_obs": np.array([["a"], ["b"]])},
     ]
 
 
-@pytest.mark.parametrize("layout", range(9))
+@pytest.mark.parametrize("layout", range(10))
 def test_layouts(tmp_path, small_amass, layout):
     turns = some_turns()
     expected = read_amass(small_amass(tmp_path / "a.npz", turns))
@@ -127,6 +128,25 @@ def test_bad_files_are_named_with_their_key(tmp_path, small_amass, message):
     with pytest.raises(InputError) as error:
         read_amass(tmp_path / "odd.npz")
     assert f"odd.npz: {message}" in str(error.value) and "archive" not in str(error.value)
+
+
+@pytest.mark.parametrize("joints", [22, 24, 52])
+@pytest.mark.parametrize("kind", ["quaternions", "two columns", "two columns, by rows", "matrices"])
+def test_other_rotations_are_refused_with_how_to_convert_them(tmp_path, small_amass, joints, kind):
+    turns = Rotation.random(9 * joints, random_state=np.random.default_rng(0))
+    matrices = turns.as_matrix()
+    values = {
+        "quaternions": turns.as_quat(),
+        "two columns": np.swapaxes(matrices[:, :, :2], 1, 2),
+        "two columns, by rows": matrices[:, :, :2],
+        "matrices": matrices,
+    }[kind]
+    for shape in ((9, -1), (9, joints, *values.shape[1:])):
+        small_amass(tmp_path / "a.npz", poses=values.reshape(shape))
+        with pytest.raises(
+            InputError, match=rf"no axis-angles.* {kind.split(',')[0]}.*{joints}, 3"
+        ):
+            read_amass(tmp_path / "a.npz")
 
 
 @pytest.mark.parametrize("key", ["poses", "trans", "mocap_framerate"])
