@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,14 +13,18 @@ import numpy as np
 from silpose.core.errors import InputError
 from silpose.core.types import Mask
 from silpose.silhouette.masks.json_forms import Record, records_of
+from silpose.silhouette.masks.labelme import dataset_of_labelme, is_labelme
 from silpose.silhouette.masks.natural_order import in_natural_order
 from silpose.silhouette.masks.picture import Picture
 from silpose.silhouette.masks.run_lengths import is_run_lengths, mask_of_run_lengths
 
+Pictures = tuple[list[Picture], tuple[str, ...]]
+"""Pictures, and what is doubtful about them."""
+
 _IDENTITIES = ("track_id", "instance_id", "object_id", "obj_id", "person_id")
 
 
-def read_coco(file: Path) -> tuple[list[Picture], tuple[str, ...]]:
+def read_coco(file: Path) -> Pictures:
     """Read a JSON file of masks: a picture for each image, and what is doubtful.
 
     Raises
@@ -27,14 +32,28 @@ def read_coco(file: Path) -> tuple[list[Picture], tuple[str, ...]]:
     InputError
         If it is no JSON, or holds no masks, or a mask that does not fit its size.
     """
+    return pictures_of_records(_content(file), f"'{file}'")
+
+
+def read_labelme(files: Sequence[Path], source: str) -> Pictures | None:
+    """Read LabelMe's files of a folder, a picture for each; None if they are something else.
+
+    Who is the person is decided for all: a file without one is a blank picture.
+    """
+    contents = {file.name: _content(file) for file in files}
+    if not all(map(is_labelme, contents.values())):
+        return None
+    return pictures_of_records(dataset_of_labelme(contents, source), source)
+
+
+def _content(file: Path) -> Any:
     try:
-        content = json.loads(file.read_text(encoding="utf-8-sig"))
+        return json.loads(file.read_text(encoding="utf-8-sig"))
     except (OSError, ValueError) as error:
         raise InputError(f"'{file}' is incomplete, or no JSON ({error}): write it anew") from None
-    return pictures_of_records(content, f"'{file}'")
 
 
-def pictures_of_records(content: Any, source: str) -> tuple[list[Picture], tuple[str, ...]]:
+def pictures_of_records(content: Any, source: str) -> Pictures:
     """Make a picture of each image that JSON tells of; images without any mask are blank.
 
     Parameters

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from silpose.core.errors import InputError
+from silpose.silhouette.masks.labelme import dataset_of_labelme, is_labelme
 from silpose.silhouette.masks.run_lengths import is_run_lengths
 
 WANTED = (
@@ -62,8 +63,8 @@ def records_of(content: Any, source: str) -> Records:
     images: list[Record] = []
     if why := _why_not_read(content):
         raise InputError(f"{source} {why}")
-    if isinstance(content, Mapping) and "shapes" in content:
-        content = _of_labelme(content)
+    if is_labelme(content):
+        content = dataset_of_labelme({str(content.get("imagePath")): content}, source)
     if isinstance(content, Mapping) and "annotations" in content:
         images = list(content.get("images") or [])
         content, doubts = _people(
@@ -73,7 +74,7 @@ def records_of(content: Any, source: str) -> Records:
         content, doubts = [content] if is_record(content) else _by_frame(content), ()
     elif isinstance(content, Sequence) and not isinstance(content, str):
         content, doubts = _people(content, [], source)
-    if not isinstance(content, Sequence) or isinstance(content, str) or not content:
+    if not isinstance(content, Sequence) or isinstance(content, str) or not (content or images):
         raise InputError(f"{source} holds no masks: {WANTED}")
     if all(isinstance(item, Mapping) and "segmentations" in item for item in content):
         return Records(_of_videos(content, source), images, doubts)
@@ -137,26 +138,6 @@ def _why_not_read(content: Any) -> str | None:
 
 def _has(content: object, key: str) -> bool:
     return isinstance(content, Mapping) and key in content
-
-
-def _of_labelme(content: Record) -> Record:
-    """Bring the polygons of one image to a COCO dataset."""
-    image = {
-        "id": 0, "file_name": content.get("imagePath"),
-        "height": content.get("imageHeight"), "width": content.get("imageWidth"),
-    }  # fmt: skip
-    shapes = [s for s in content["shapes"] if s.get("shape_type", "polygon") == "polygon"]
-    annotations = [
-        {
-            "image_id": 0,
-            "category_id": shape.get("label"),
-            "segmentation": [[value for point in shape["points"] for value in point]],
-        }
-        for shape in shapes
-    ]
-    labels = {str(shape.get("label")) for shape in shapes}
-    categories = [{"id": label, "name": label} for label in sorted(labels)]
-    return {"images": [image], "annotations": annotations, "categories": categories}
 
 
 def _by_frame(content: Record) -> list[Record] | None:

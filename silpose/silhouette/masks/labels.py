@@ -12,6 +12,7 @@ from silpose.core.errors import InputError
 from silpose.core.types import Mask
 from silpose.silhouette.masks.levels import Levels
 from silpose.silhouette.masks.picture import Pixels
+from silpose.silhouette.masks.thresholds import surrounds
 
 _THIN = 0.35  # greatest share of flat pixels of a line
 _CLASSES = 200  # numbers of classes and instances are smaller where 255 means "not known"
@@ -104,6 +105,8 @@ def choose_labels(
         _check_not_mixed(planes, people, unknown, source)
     if len(people) == 1:
         return Labels((people[0],), unknown), _words(int(people[0]), unknown)
+    if background == 0 and people == [1, 2, 3] and _as_grabcut(planes):
+        return Labels((1.0, 3.0)), "labels 1 and 3, around which 2 lies, as GrabCut writes them"
     around = levels.border[np.searchsorted(levels.values, background)]
     if around >= _AROUND * levels.border.sum() and _are_parts(planes, people):
         words = f"labels {_range(people)}, together as parts of one body" + _void(unknown)
@@ -191,6 +194,12 @@ def _listing(levels: Levels, people: Sequence[float]) -> str:
     listed = [f"{people[k]:.15g} ({100 * areas[k]:.2g} % of the pixels)" for k in sorted(order)]
     more = len(people) - len(listed)
     return ", ".join(listed) + (f" and {more} smaller" if more else "")
+
+
+def _as_grabcut(planes: Sequence[Pixels]) -> bool:
+    """Whether 2, OpenCV's probable background, lies between the background and 1 and 3."""
+    order = np.array([0, 2, 1, 2], np.uint8)
+    return surrounds([order[plane.astype(np.intp)] for plane in planes], np.array([0, 1, 2]))
 
 
 def _are_parts(planes: Sequence[Pixels], people: Sequence[float]) -> bool:

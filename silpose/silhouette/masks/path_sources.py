@@ -12,7 +12,7 @@ from silpose.core.errors import InputError
 from silpose.core.home_folder import expanded
 from silpose.silhouette.masks.array_files import ARRAYS, read_array_file
 from silpose.silhouette.masks.arrays import pictures_of_array
-from silpose.silhouette.masks.coco import read_coco
+from silpose.silhouette.masks.coco import read_coco, read_labelme
 from silpose.silhouette.masks.decision import decide
 from silpose.silhouette.masks.encoding import NoMasksError
 from silpose.silhouette.masks.folders import choose_files, image_files
@@ -145,7 +145,10 @@ def _find_frames(folder: Path, files: list[Path]) -> Found:
         raise InputError(f"folder '{folder}' holds {len(files)} takes, {listed}: give one")
     pictures: list[Picture] = []
     doubts: list[str] = []
-    for file in (files[k] for k in in_natural_order([file.stem for file in files])):
+    files = [files[k] for k in in_natural_order([file.stem for file in files])]
+    if all(json) and (labelme := read_labelme(files, f"'{folder}'")) is not None:
+        return Found(Animation(labelme[0]), f"'{folder}'", doubts=labelme[1])
+    for file in files:
         if all(arrays):
             held = pictures_of_array(read_array_file(file), f"'{file}'")
         else:

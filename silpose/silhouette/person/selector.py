@@ -20,8 +20,7 @@ FILLED = 0.85
 """Share of the frame from which a mask is no person: a crop to the bounding box has 0.75."""
 FRAGMENT = 0.05
 """Share of the person's usual area below which there is only a piece of a person."""
-LOWEST, LOWEST_SHARE = 6, 0.025
-"""Height below which nothing is a person, in pixels and as a share of the frame."""
+_LOWEST, _LOWEST_SHARE = 6, 0.025
 
 _REMEMBERED = 60  # frames from which the usual area is known in a stream
 
@@ -113,8 +112,12 @@ class PersonSelector:
         usual = self._usual
         if usual is None:
             usual = float(np.median(self._areas)) if self._areas else 0.0
-        lowest = max(LOWEST, LOWEST_SHARE * frame_height)
-        return person.height < lowest or person.area < FRAGMENT * usual
+        return person.height < lowest_person(frame_height) or person.area < FRAGMENT * usual
+
+
+def lowest_person(frame_height: int) -> float:
+    """Height below which nothing is a person, pixels: 6, or a share of a high frame."""
+    return max(_LOWEST, _LOWEST_SHARE * frame_height)
 
 
 def how_to_choose(people: int) -> str:

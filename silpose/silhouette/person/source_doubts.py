@@ -8,6 +8,7 @@ import numpy as np
 
 from silpose.core.types import Mask
 from silpose.silhouette.person.facts import MaskFacts
+from silpose.silhouette.person.selector import lowest_person
 
 UPRIGHT = (1.3, 5.0)
 """Lowest and highest aspect, height over width, that half of an upright person's masks have."""
@@ -37,9 +38,11 @@ def why_nobody(masks: Sequence[Mask], facts: MaskFacts, called: str) -> str:
             "foreground and the rest of the frame in the background"
         )
     largest = max(int(np.count_nonzero(mask)) for mask in masks)
+    lowest = lowest_person(max(mask.shape[0] for mask in masks))
     return (
         f"none of the {count} masks{called} shows a person, only pieces of at most {largest} "
-        "pixels: give masks with a person at least 6 pixels high"
+        f"pixels: give masks with a person at least {np.ceil(lowest):.0f} pixels high"
+        + (", or crop them around the person" if lowest > lowest_person(1) else "")
     )
 
 

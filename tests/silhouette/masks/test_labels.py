@@ -34,6 +34,18 @@ def test_parts_of_a_body_are_taken_together(figures):
     np.testing.assert_array_equal(labels.apply(parts[0]), figures[0])
 
 
+def test_what_grabcut_gives_is_the_person_without_the_probable_background(figures):
+    masks = [np.kron(mask, np.ones((4, 4), np.uint8)) for mask in figures]
+    around = [cv2.dilate(mask, np.ones((9, 9), np.uint8)) for mask in masks]
+    sure = [cv2.erode(mask, np.ones((5, 5), np.uint8)) for mask in masks]
+    planes = [
+        np.where(s, 1, np.where(m, 3, 2 * a)) for s, m, a in zip(sure, masks, around, strict=True)
+    ]
+    labels, words = chosen([plane.astype(np.uint8) for plane in planes])
+    assert "GrabCut" in words
+    np.testing.assert_array_equal(labels.apply(planes[0]), masks[0])
+
+
 @pytest.mark.parametrize("count", [2, 3, 4])
 def test_people_are_listed_with_their_areas(figures, count):
     people = [beside(mask, range(1, count + 1)) for mask in figures]

@@ -2,6 +2,7 @@ import cv2
 import numpy as np
 import pytest
 
+from silpose.core.errors import InputError
 from silpose.silhouette.person import select_person
 
 
@@ -35,6 +36,14 @@ def test_frames_stretched_to_the_sides_are_doubted(sequence):
 def test_frames_turned_by_a_quarter_are_doubted(sequence):
     with pytest.warns(UserWarning, match=r"turned by a quarter \(np\.rot90"):
         select_person([np.rot90(mask).copy() for mask in sequence.masks])
+
+
+def test_a_person_too_small_for_the_picture_is_named_with_a_remedy_that_works(sequence):
+    small = [resized(mask, 48, 48) for mask in sequence.masks]
+    far = [np.pad(mask, ((1000, 1112), (500, 500))) for mask in small]
+    with pytest.raises(InputError, match="at least 54 pixels high, or crop them around the person"):
+        select_person(far)
+    assert select_person(small).facts.seen.all()
 
 
 def test_crops_in_proportion_are_not_doubted(sequence, recwarn):
