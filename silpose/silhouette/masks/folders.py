@@ -72,7 +72,7 @@ def choose_files(folder: Path, is_masks: Callable[[Sequence[Path]], bool]) -> Ch
     groups = _groups(found.files)
     if len(groups) < 2:
         files = _in_order(found.files)
-        return Chosen(files, found.ignored, _takes(folder, files))
+        return Chosen(files, found.ignored, (*_takes(folder, files), *_no_order(folder, files)))
     masks = {name: files for name, files in groups.items() if is_masks(files)}
     if not masks:  # what they are, is said when they are read
         return Chosen(_in_order(max(groups.values(), key=len)), found.ignored)
@@ -162,6 +162,16 @@ def _takes(folder: Path, files: Sequence[Path]) -> tuple[str, ...]:
         f"'{folder}' seems to hold {count} takes, which begin with '{first.name}', '{second.name}'"
         f"{' and so on' if count > 2 else ''}, and is read as one: choose one by a pattern in "
         f"quotes, such as '{folder / head}*{first.suffix}'",
+    )
+
+
+def _no_order(folder: Path, files: Sequence[Path]) -> tuple[str, ...]:
+    """Doubt the order of files whose names have little in common beside numbers."""
+    if len({without_numbers(file.stem) for file in files}) <= _MOST_KINDS:
+        return ()
+    return (
+        f"the names in '{folder}' tell no order in time: they are read from '{files[0].name}' to "
+        f"'{files[-1].name}'; if they are one take, number them by time",
     )
 
 

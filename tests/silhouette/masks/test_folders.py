@@ -81,10 +81,11 @@ def test_several_takes_in_a_folder_are_chosen_by_a_pattern(folder_of, figures):
         read_masks(folder / "up_*.png")
 
 
-def test_names_without_order_are_one_take(folder_of, figures):
+def test_names_without_order_are_one_take_and_it_is_said(folder_of, figures):
     words = ("a1b2c3", "1f00aa", "zz", "9b_4", "x7y8", "k", "e5", "0d1e")
     folder = folder_of({f"{word}.png": 255 * figures[0] for word in words})
-    assert len(read_masks(folder)) == 8
+    with pytest.warns(UserWarning, match=r"no order in time: they are read from '0d1e\.png'"):
+        assert len(read_masks(folder)) == 8
 
 
 def test_a_photo_in_the_middle_of_a_take_is_an_error_that_names_it(folder_of, figures, photo):
