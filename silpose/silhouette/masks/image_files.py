@@ -107,14 +107,16 @@ def _decode(encoded: bytes) -> np.ndarray | None:
         indexed = encoded[25:26] == b"\x03"
         if indexed or b"acTL" in beginning or b"tRNS" in beginning or not _is_whole_png(encoded):
             return None
+        if not _can_be_png(encoded):
+            return None
         flags = cv2.IMREAD_UNCHANGED
     elif encoded.startswith(_JPEG) and _has_jpeg_end(encoded):
         flags = cv2.IMREAD_ANYCOLOR | cv2.IMREAD_ANYDEPTH
+        try:  # Pillow looks at the size first; OpenCV takes memory for all pixels that are claimed
+            _opened(encoded)
+        except Exception:
+            return None
     else:
-        return None
-    try:  # Pillow looks at the size first; OpenCV takes memory for all pixels that are claimed
-        _opened(encoded)
-    except Exception:
         return None
     with silent_opencv():
         pixels = cv2.imdecode(np.frombuffer(encoded, np.uint8), flags)
@@ -131,6 +133,13 @@ def _is_whole_png(encoded: bytes) -> bool:
         if place >= len(encoded):
             return False
     return True
+
+
+def _can_be_png(encoded: bytes) -> bool:
+    """Whether the size that the header claims can be; if not, Pillow says so."""
+    width, height = (int.from_bytes(encoded[k : k + 4], "big") for k in (16, 20))
+    most = min(_DENSEST * len(encoded), Image.MAX_IMAGE_PIXELS or 0)
+    return encoded[12:16] == b"IHDR" and width * height <= most
 
 
 def _has_jpeg_end(encoded: bytes) -> bool:
