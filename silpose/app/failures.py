@@ -8,6 +8,7 @@ INTERRUPTED = 130
 """Exit status after Ctrl-C, as shells have it."""
 
 _TOO_MANY_FILES = "raise the limit by 'ulimit -n 4096', or lower n_jobs"
+_UNMAPPED = ("failed to map segment", "find/load shared object")  # the latter of llvmlite
 _NO_MEMORY = "not enough memory: use fewer or shorter takes, smaller masks, or a lower n_jobs"
 
 
@@ -30,7 +31,7 @@ def sentence(error: Exception) -> str:
 def _what(error: Exception) -> str:
     if isinstance(error, InputError):
         return str(error)
-    if isinstance(error, MemoryError) or "failed to map segment" in str(error):
+    if isinstance(error, MemoryError) or any(sign in str(error) for sign in _UNMAPPED):
         return _NO_MEMORY
     kind, words = type(error).__name__, " ".join(str(error).split())
     if isinstance(error, FileNotFoundError) and not error.filename:

@@ -8,6 +8,7 @@ WORDS = {
     "silpose: give another": InputError("give another"),
     "silpose: not enough memory: use fewer": MemoryError(),
     "silpose: not enough memory: ": ImportError("a.so: failed to map segment from shared object"),
+    "silpose: not enough memory: use": OSError("Could not find/load shared object file 'a.so'"),
     "silpose: 'a.csv': Permission denied": PermissionError(13, "Permission denied", "a.csv"),
     "silpose: Too many open files (raise the limit by": OSError(24, "Too many open files"),
     "silpose: the current folder is no longer there": FileNotFoundError(2, "No such file"),

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from silpose.core.errors import InputError
 from silpose.core.progress import bar
+from silpose.core.readable import readable
 from silpose.core.skeleton import near_singularity
 from silpose.motion.capture.folder_files import motion_files
 from silpose.motion.capture.formats import FORMATS
@@ -146,11 +147,11 @@ class MotionFolder(MotionSource):
 
     def _take(self, file: Path, captured: CapturedTake, whole_name: bool) -> Motion:
         path = file.relative_to(self.root if self.root.is_dir() else self.root.parent)
-        stem = path.with_suffix("").as_posix()
+        stem = readable(path.with_suffix("").as_posix())
         found = re.search(self.performer, stem)
         return Motion(
-            name=path.as_posix() if whole_name else stem,
-            performer=(found and found.group(1)) or file.resolve().parent.name,
+            name=readable(path.as_posix()) if whole_name else stem,
+            performer=(found and found.group(1)) or readable(file.resolve().parent.name),
             frames_per_second=self.frames_per_second,
             angles=captured.angles,
             root_position=captured.root_position,

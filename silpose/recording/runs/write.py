@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from silpose.core.csv_text import csv_text
+from silpose.core.readable import readable
 from silpose.core.stages import stage
 from silpose.core.types import Row
 from silpose.recording.runs.model_settings import with_model_settings
@@ -42,21 +43,23 @@ def write_result(
         result.model.save(folder.folder / "model.npz")
     for name, table in result.tables.items():
         with folder.writing(name) as path:
-            path.write_text(table, encoding="utf-8", newline="")
+            path.write_text(table, encoding="utf-8", errors="replace", newline="")
     for name, write in result.files.items():
         with folder.writing(name) as path:
             write(path)
     if result.report:
         with folder.writing("report.txt") as path:
-            path.write_text(result.report + "\n", encoding="utf-8")
+            path.write_text(result.report + "\n", encoding="utf-8", errors="replace")
     if result.recording is not None and folder.sinks.kinds:
         with stage("recording"):
             result.recording.write(folder.header(result.recording.words, result.metrics, figure))
     with folder.writing("config.yaml") as path:
-        path.write_text(folder.settings, encoding="utf-8")
+        path.write_text(folder.settings, encoding="utf-8", errors="replace")
     if result.rows:
         with folder.writing("results.csv") as path:
-            path.write_text(csv_text(_tidy(result.rows)), encoding="utf-8", newline="")
+            path.write_text(
+                csv_text(_tidy(result.rows)), encoding="utf-8", errors="replace", newline=""
+            )
     content = {
         "experiment": folder.experiment,
         "dataset": result.dataset,
@@ -75,7 +78,11 @@ def write_result(
 def _write_figure(folder: RunFolder, result: Result) -> Path | None:
     if result.figure is None:
         return None
+    from matplotlib.text import Text  # who has a figure has imported it
+
     name = f"{folder.experiment}.png"
+    for text in result.figure.findobj(Text):  # fonts have no signs for bytes of a file's name
+        text.set_text(readable(text.get_text()))
     with folder.writing(name) as path:
         result.figure.savefig(path, dpi=_DOTS_PER_INCH, format="png")
     return folder.folder / name

@@ -2,6 +2,7 @@ import csv
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -110,3 +111,13 @@ assert (folder.folder / "metrics.json").exists()
 assert "rerun" not in sys.modules
 """
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_names_of_files_that_are_not_utf8_have_question_marks(tmp_path, result):
+    figure, name = Figure(), "w\udce4"  # a byte of Latin-1, as Python reads it
+    figure.subplots().set_title(name)
+    folder = RunFolder.start("e", root=str(tmp_path))
+    own = replace(result, figure=figure, recording=None, report=name, rows=[{"take": name}])
+    write_result(folder, own, 0, {})
+    assert (folder.folder / "report.txt").read_text() == "w?\n"
+    assert "w?" in (folder.folder / "results.csv").read_text()
