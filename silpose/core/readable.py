@@ -2,10 +2,10 @@
 
 
 def readable(text: str) -> str:
-    """Put a question mark in the place of each byte that is part of no character.
+    r"""Write each byte that is part of no character as its number, such as ``\xfc``.
 
     Python keeps such a byte of a file's name as half a character, which opens the file again but
-    can be neither drawn nor written.
+    can be neither drawn nor written. Different names stay different.
 
     Parameters
     ----------
@@ -15,4 +15,8 @@ def readable(text: str) -> str:
     -------
     text : str
     """
-    return text.encode(errors="replace").decode()
+    try:
+        stored = text.encode(errors="surrogateescape")
+    except UnicodeEncodeError:  # half a character that is no byte of a name
+        stored = text.encode(errors="replace")
+    return stored.decode(errors="backslashreplace")

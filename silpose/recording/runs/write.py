@@ -43,23 +43,22 @@ def write_result(
         result.model.save(folder.folder / "model.npz")
     for name, table in result.tables.items():
         with folder.writing(name) as path:
-            path.write_text(table, encoding="utf-8", errors="replace", newline="")
+            path.write_text(readable(table), encoding="utf-8", newline="")
     for name, write in result.files.items():
         with folder.writing(name) as path:
             write(path)
     if result.report:
         with folder.writing("report.txt") as path:
-            path.write_text(result.report + "\n", encoding="utf-8", errors="replace")
+            path.write_text(readable(result.report) + "\n", encoding="utf-8")
     if result.recording is not None and folder.sinks.kinds:
         with stage("recording"):
             result.recording.write(folder.header(result.recording.words, result.metrics, figure))
     with folder.writing("config.yaml") as path:
-        path.write_text(folder.settings, encoding="utf-8", errors="replace")
+        path.write_text(readable(folder.settings), encoding="utf-8")
     if result.rows:
         with folder.writing("results.csv") as path:
-            path.write_text(
-                csv_text(_tidy(result.rows)), encoding="utf-8", errors="replace", newline=""
-            )
+            table = readable(csv_text(_tidy(result.rows)))
+            path.write_text(table, encoding="utf-8", newline="")
     content = {
         "experiment": folder.experiment,
         "dataset": result.dataset,
