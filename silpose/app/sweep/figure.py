@@ -10,11 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from silpose.app.sweep.outcomes import SEED, Outcome
+from silpose.experiments.figures import headline
+from silpose.recording.figure_style import styled
 from silpose.recording.named_settings import typed
 
 _WIDE = 20  # ratio of the largest to the smallest value from which an axis is logarithmic
 
 
+@styled
 def sweep_figure(ready: Sequence[Outcome], title: str) -> Figure | None:
     """Plot the headline of each run, and lines through their means over seeds.
 
@@ -49,9 +52,9 @@ def sweep_figure(ready: Sequence[Outcome], title: str) -> Figure | None:
     numeric = all(isinstance(v, int | float) and not isinstance(v, bool) for v in values)
     places = {typed(v): float(v if numeric else k) for k, v in enumerate(values)}  # type: ignore
     lines: dict[str, list[tuple[float, float]]] = {}
-    for varied, headline in points:
+    for varied, reached in points:
         lines.setdefault(_others(varied, along), []).append(
-            (places[typed(varied.get(along))], headline)
+            (places[typed(varied.get(along))], reached)
         )
     for label, own in lines.items():
         _plot_line(axes, label, own, joined=along != SEED)
@@ -61,9 +64,9 @@ def sweep_figure(ready: Sequence[Outcome], title: str) -> Figure | None:
         axes.set_xticks(list(places.values()), list(places))
         axes.minorticks_off()
     axes.set(xlabel=along, ylabel="headline: error on validation")
-    axes.set_title(title, fontsize=10)
+    headline(figure, title, "Dots: runs. Lines: their means")
     if len(lines) > 1:
-        axes.legend(fontsize=8)
+        axes.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return figure
 
 
@@ -75,7 +78,7 @@ def _plot_line(axes: Axes, label: str, own: Sequence[tuple[float, float]], joine
         means = [y[x == place].mean() for place in at]
         axes.plot(at, means, "-", color=dots.get_color(), label=label or None)
     else:
-        axes.axhline(y.mean(), color=dots.get_color(), lw=1)
+        axes.axhline(y.mean(), color=dots.get_color(), lw=1, zorder=0)
 
 
 def _others(varied: Mapping[str, Any], along: str) -> str:
