@@ -25,13 +25,17 @@ MODES: tuple[Colour, ...] = ((0, 158, 115), (204, 121, 167), (230, 159, 0), (86,
 NEUTRAL: Colour = (130, 132, 140)
 """Grey: what is only to be compared with."""
 
+NOTHING: Colour = (104, 106, 114)
+"""Dark grey: nothing is seen, or known as yet; darker than what people with a colour blindness see
+of purple."""
+
 DOUBTFUL: Colour = MODES[1]
 """Purple: an estimate that had better not be relied on."""
 
 NAMES: Mapping[Colour, str] = dict(
     zip(
-        (TRUE, ESTIMATED, *MODES, NEUTRAL),
-        ("blue", "vermilion", "green", "purple", "orange", "sky", "grey"),
+        (TRUE, ESTIMATED, *MODES, NEUTRAL, NOTHING),
+        ("blue", "vermilion", "green", "purple", "orange", "sky", "grey", "dark grey"),
         strict=True,
     )
 )
@@ -43,7 +47,7 @@ CLEAR = (0, 0, 0, 0)
 """Where nobody is: the background of the viewer, light or dark."""
 
 METHODS: Mapping[str, Colour] = {
-    "mean_pose": NEUTRAL,
+    "mean_pose": NOTHING,
     "nearest": MODES[0],
     "knn": MODES[3],
     "oracle": MODES[2],
@@ -58,37 +62,37 @@ METHODS: Mapping[str, Colour] = {
     "fitted_live": MODES[0],
     "fitted_take": ESTIMATED,
     "fitted_take_estimated": MODES[3],
-    "fitted_from_mean_pose": NEUTRAL,
+    "fitted_from_mean_pose": NOTHING,
     "fitted_from_tracker": MODES[0],
 }
 
 STATES: Mapping[str, Colour] = {
-    "starting": NEUTRAL,
+    "starting": NOTHING,
     "tracking": MODES[0],
     "lost": DOUBTFUL,
     "recovered": MODES[2],
 }
 
-FIT_STATES: Mapping[str, Colour] = {"fitted": MODES[0], "poor": DOUBTFUL, "blank": NEUTRAL}
+FIT_STATES: Mapping[str, Colour] = {"fitted": MODES[0], "poor": DOUBTFUL, "blank": NOTHING}
 
-SEEN: Mapping[str, Colour] = {"person": MODES[0], "blank": NEUTRAL}
+SEEN: Mapping[str, Colour] = {"person": MODES[0], "blank": NOTHING}
 
 ESTIMATE_STATES: Mapping[str, Colour] = {
     "estimated": MODES[0],
-    "blank": NEUTRAL,
+    "blank": NOTHING,
     "fragment": DOUBTFUL,
     "filled": MODES[2],
 }
 
 MASK_STATES: Mapping[str, Colour] = {
-    "person": (70, 150, 90),
-    "blank": (110, 110, 120),
-    "fragment": (140, 110, 160),
-    "filled": (90, 110, 200),
-    "learning": (60, 120, 160),
-    "switched": (225, 205, 90),
-    "moved": (220, 70, 60),
-    "gone": (120, 60, 60),
+    "person": MODES[0],
+    "blank": NOTHING,
+    "fragment": DOUBTFUL,
+    "filled": MODES[2],
+    "learning": MODES[3],
+    "switched": (240, 228, 66),
+    "moved": ESTIMATED,
+    "gone": (60, 40, 40),
 }
 
 

@@ -36,6 +36,23 @@ def test_hues_are_told_apart_with_any_colour_blindness(kind):
     assert min(apart) > 15
 
 
+@pytest.mark.parametrize("kind", SEEN)
+@pytest.mark.parametrize(
+    "table",
+    [
+        palette.STATES,
+        palette.FIT_STATES,
+        palette.SEEN,
+        palette.ESTIMATE_STATES,
+        palette.MASK_STATES,
+        {name: palette.METHODS[name] for name in ("mean_pose", "nearest", "ridge", "oracle")},
+    ],
+)
+def test_states_are_told_apart_with_any_colour_blindness(kind, table):
+    places = lab(linear(list(table.values())) @ np.transpose(SEEN[kind]))
+    assert min(np.linalg.norm(a - b) for a, b in itertools.combinations(places, 2)) > 15
+
+
 @pytest.mark.parametrize("background", [DARK, WHITE])
 def test_hues_are_seen_in_the_light_and_in_the_dark(background):
     assert min(contrast(colour, background) for colour in HUES[:4]) > 2.9
