@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -48,7 +49,7 @@ def served(
     origin = f"http://{HOST}:{viewer_port}"
     try:
         handler = partial(_Files, root=root, origin=origin, questions=questions)
-        server = ThreadingHTTPServer((HOST, port), handler)
+        server = _Server((HOST, port), handler)
     except (OSError, OverflowError) as error:
         raise InputError(
             f"cannot listen on port {port} ({error}): choose another with --port"
@@ -79,6 +80,14 @@ def serve(folder: str | Path, port: int = 9090, questions: Mapping[str, str] | N
     with served(folder, port, questions) as address:
         print(f"Runs of '{folder}':  {address}   (Ctrl-C ends it)", flush=True)
         until_interrupted()
+
+
+class _Server(ThreadingHTTPServer):
+    """Goes on without a word where an asker hangs up before the answer, as browsers do."""
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        if not isinstance(sys.exception(), ConnectionError):
+            super().handle_error(request, client_address)
 
 
 class _Files(SimpleHTTPRequestHandler):

@@ -2,6 +2,8 @@ import json
 import re
 import shutil
 import socket
+import struct
+import time
 from contextlib import suppress
 from html import unescape
 from http.client import HTTPConnection
@@ -142,6 +144,19 @@ def test_who_says_nothing_is_not_waited_for(folder, monkeypatch):
             asked.settimeout(20)
             assert asked.recv(1) == b""  # hung up on
             asked.close()
+
+
+def test_who_hangs_up_before_the_answer_is_not_spoken_of(folder, address, capsys):
+    place = "127.0.0.1", int(address.rpartition(":")[2])
+    asked = f"GET /large HTTP/1.1\r\nHost: {place[0]}:{place[1]}\r\n\r\n"
+    (folder / "large").write_bytes(bytes(20_000_000))
+    with socket.create_connection(place) as asking:
+        asking.sendall(asked.encode())
+        asking.recv(100)
+        asking.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    time.sleep(0.5)  # closed by a reset, which the server notices
+    assert json.loads(read(f"{address}/single_image/whole/metrics.json"))["seed"] == 0
+    assert "Traceback" not in capsys.readouterr().err
 
 
 def test_what_cannot_be_served_is_named(folder, address, tmp_path):
