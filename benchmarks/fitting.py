@@ -61,7 +61,7 @@ if __name__ == "__main__":
                 for mean, contour in zip(angles, contours, strict=True):
                     around = Gaussian(mean, prior.precision)
                     seen = Observation(contour, np.zeros(3), g, fitter.view, fitter.matching)
-                    fit_frame(mean, around, seen, iterations)
+                    fit_frame(mean, around, seen, iterations, 0)
 
             def live(fitter=fitter, masks=masks):
                 stream = FitterStream(fitter)
