@@ -1,7 +1,7 @@
 """Training rows that carry a kernel, chosen over all frames in passes over blocks.
 
-Whatever the blocks, rows are dealt with in batches of one size: the same rows are chosen in one
-go and block by block.
+Whatever the blocks, rows are compared in batches of one size: the same rows are chosen in one go
+and block by block.
 """
 
 from __future__ import annotations

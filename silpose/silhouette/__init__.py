@@ -1,4 +1,4 @@
-"""Masks: rendered from a posed body in front of a camera, degraded on purpose, or of one's own.
+"""Masks: rendered from a posed body in front of a camera, degraded, or of one's own.
 
 Poses come from `silpose.motion`; `silpose.dataset` pairs them with their masks, and
 `silpose.descriptor` describes masks of any origin.
