@@ -47,9 +47,8 @@ def _experiments(runs: Counter[str]) -> Table:
 
 
 def _runs(runs: list[FinishedRun], *, narrow: bool) -> Table:
-    table = Table("run", "data", "best", box=None, pad_edge=False)
-    if narrow:
-        table = Table("runs", box=None, pad_edge=False)
+    titles = ["runs"] if narrow else ["run", "data", "best"]
+    table = Table(*titles, box=None, pad_edge=False)
     for run in runs:
         cells = [escape(text) for text in (shorten_path(run.folder), run.dataset, _best(run))]
         table.add_row(*(["\n  ".join(filter(None, cells))] if narrow else cells))

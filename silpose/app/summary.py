@@ -52,16 +52,16 @@ def results(run: FinishedRun, width: int = 80) -> Group:
         Characters of a line. Columns that do not fit stand in further tables below.
     """
     ordered, best = best_first(run.metrics)
-    title = f"{escape(run.dataset)}: {CATALOGUE.get(run.experiment, Entry('')).table}"
+    entry = CATALOGUE.get(run.experiment, Entry(""))
     tables: list[Table] = []
     for group in _with_columns_in_common(ordered):
-        tables += _tables(run, {method: ordered[method] for method in group}, best, width)
-    tables[0].title = title
+        some = {method: ordered[method] for method in group}
+        tables += _tables(entry.rows, some, best, width)
+    tables[0].title = f"{escape(run.dataset)}: {entry.table}"
     return Group(*tables)
 
 
-def _tables(run: FinishedRun, ordered: Results, best: str | None, width: int) -> list[Table]:
-    first = CATALOGUE.get(run.experiment, Entry("")).rows
+def _tables(first: str, ordered: Results, best: str | None, width: int) -> list[Table]:
     (_, *titles), rows = headlines(ordered)
     columns = list(zip(titles, *(own for _, *own in rows), strict=True))
     least = [max(map(len, (*title.split(), *values))) for title, *values in columns]
@@ -87,7 +87,7 @@ def _with_columns_in_common(results: Results) -> list[list[str]]:
     groups: list[tuple[set[str], list[str]]] = []
     for method, values in results.items():
         columns, members = set(values) & set(HEADLINES), [method]
-        for group in [own for own in groups if own[0] & columns]:
+        for group in [own for own in groups if own[0] & columns or own[0] == columns]:
             groups.remove(group)
             columns, members = columns | group[0], [*group[1], *members]
         groups.append((columns, members))

@@ -10,7 +10,7 @@ from rich.table import Table
 
 from silpose.app.paths import shorten_path
 from silpose.app.sweep.figure import sweep_figure
-from silpose.app.sweep.outcomes import Outcome, outcomes, spreads
+from silpose.app.sweep.outcomes import SEED, Outcome, outcomes, spreads
 from silpose.app.sweep.plan import SweepPlan
 from silpose.app.terminal import Terminal
 from silpose.core.atomic_files import writing
@@ -62,8 +62,8 @@ def _print(folder: Path, found: Sequence[Outcome]) -> None:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
         console.print(_spread(values))
     best = _best(ready)
-    chosen = len(best) > 1 and set(best[0].varied) != {"seed"}  # seeds are not to be chosen from
-    if chosen and best[0].run and best[0].run.headline is not None:
+    choice = len(best) > 1 and set(best[0].varied) != {SEED}  # seeds are not to be chosen from
+    if choice and best[0].run and best[0].run.headline is not None:
         line = f"Lowest headline: {best[0].run.headline:.4g}, of {best[0].folder.name}"
         console.print(line, markup=False, highlight=False, soft_wrap=True)
     recorded = [each for each in best if each.run and each.run.recording.is_file()]

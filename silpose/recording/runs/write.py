@@ -42,23 +42,18 @@ def write_result(
     if result.model is not None:
         result.model.save(folder.folder / "model.npz")
     for name, table in result.tables.items():
-        with folder.writing(name) as path:
-            path.write_text(readable(table), encoding="utf-8", newline="")
+        _write_text(folder, name, table)
     for name, write in result.files.items():
         with folder.writing(name) as path:
             write(path)
     if result.report:
-        with folder.writing("report.txt") as path:
-            path.write_text(readable(result.report) + "\n", encoding="utf-8")
+        _write_text(folder, "report.txt", result.report + "\n")
     if result.recording is not None and folder.sinks.kinds:
         with stage("recording"):
             result.recording.write(folder.header(result.recording.words, result.metrics, figure))
-    with folder.writing("config.yaml") as path:
-        path.write_text(readable(folder.settings), encoding="utf-8")
+    _write_text(folder, "config.yaml", folder.settings)
     if result.rows:
-        with folder.writing("results.csv") as path:
-            table = readable(csv_text(_tidy(result.rows)))
-            path.write_text(table, encoding="utf-8", newline="")
+        _write_text(folder, "results.csv", csv_text(_tidy(result.rows)))
     content = {
         "experiment": folder.experiment,
         "dataset": result.dataset,
@@ -70,8 +65,13 @@ def write_result(
         content["summary"] = result.summary
     if result.headline is not None:
         content["headline"] = result.headline
-    with folder.writing("metrics.json") as path:
-        path.write_text(json.dumps(content, indent=2) + "\n", encoding="utf-8")
+    _write_text(folder, "metrics.json", json.dumps(content, indent=2) + "\n")
+
+
+def _write_text(folder: RunFolder, name: str, text: str) -> None:
+    """Write text that may hold names of files, which are not always UTF-8."""
+    with folder.writing(name) as path:
+        path.write_text(readable(text), encoding="utf-8", newline="")
 
 
 def _write_figure(folder: RunFolder, result: Result) -> Path | None:
