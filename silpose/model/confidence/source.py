@@ -1,8 +1,9 @@
-"""Doubt about a whole source: frames that look usual among many that do not."""
+"""Doubt about a source: frames that look usual among others that do not."""
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.special import expit, logit
 
 from silpose.core.types import Array
@@ -13,11 +14,12 @@ _SURE = 1e-6  # from 0 and 1, so that odds are finite
 
 
 def doubted_as_a_source(confidence: Array, facts: MaskFacts) -> Array:
-    """Lower confidence where most masks of a source look like nothing that trained.
+    """Lower confidence where other masks of the source look like nothing that trained.
 
-    What makes most masks odd (they are upside down, stretched, or show something else) is in the
-    others, too, even if these look like masks of training. Where the median of the log odds is
-    negative, it is therefore added to those of each frame. Masks that the picture's border cuts
+    What spoils a frame spoils its neighbours: where both are less sure, the surer of them counts.
+    And what makes most masks odd (they are upside down, stretched, or show something else) is in
+    the others, too, even if these look like masks of training: where the median of the log odds
+    is negative, it is therefore added to those of each frame. Masks that the picture's border cuts
     are odd by themselves, and do not count in the median.
 
     Parameters
@@ -30,8 +32,9 @@ def doubted_as_a_source(confidence: Array, facts: MaskFacts) -> Array:
     Returns
     -------
     confidence : ndarray, shape (F,)
-        Nowhere higher; as it was where few whole masks show a person, or most look usual.
+        Nowhere higher.
     """
+    confidence = _as_neighbours(confidence, facts.seen)
     whole = facts.seen & ~facts.cut & np.isfinite(confidence)
     if whole.sum() < _ENOUGH:
         return confidence
@@ -40,3 +43,12 @@ def doubted_as_a_source(confidence: Array, facts: MaskFacts) -> Array:
     if usual >= 0:
         return confidence
     return np.where(facts.seen, np.minimum(confidence, expit(odds + usual)), confidence)
+
+
+def _as_neighbours(confidence: Array, seen: NDArray[np.bool_]) -> Array:
+    """Limit confidence (F,) to that of the surer neighbour, where both show somebody."""
+    limited = confidence.copy()
+    before, after = confidence[:-2], confidence[2:]
+    between = seen[:-2] & seen[1:-1] & seen[2:]
+    limited[1:-1][between] = np.fmin(confidence[1:-1], np.fmax(before, after))[between]
+    return limited

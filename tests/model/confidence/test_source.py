@@ -42,3 +42,18 @@ def test_cut_masks_and_a_few_say_nothing_about_the_others(facts):
 def test_certainty_is_finite(facts):
     own = doubted_as_a_source(confidence(0.0, 1.0), facts)
     assert np.isfinite(own).all() and ((own >= 0) & (own <= 1)).all()
+
+
+def test_a_frame_between_doubtful_ones_is_no_surer_than_they_are(facts):
+    given = confidence(0.9, 0.8)
+    given[[2, 4]] = 0.2, 0.3
+    own = doubted_as_a_source(given, facts)
+    assert own[3] == 0.3
+    assert own[1] == 0.9  # of its neighbours one is sure
+    np.testing.assert_array_equal(np.delete(own, 3), np.delete(given, 3))
+
+
+def test_a_frame_beside_a_gap_is_judged_by_itself(facts):
+    given = confidence(0.9, 0.9)
+    given[9] = 0.2
+    np.testing.assert_array_equal(doubted_as_a_source(given, facts), given)  # the last is blank
