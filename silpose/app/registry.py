@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pkgutil import resolve_name
 from typing import Any
 
-from silpose.app.signatures import Parameter, parameters
+from silpose.app.signatures import Parameter, descriptions, parameters
 
 _TRACKER = ("space", "frames_per_second")  # as the dataset has them
 
@@ -38,6 +38,11 @@ class Component:
         """Parameters that are settings, by name."""
         found = parameters(self.path)
         return {name: found[name] for name in found if name not in self.given}
+
+    @property
+    def descriptions(self) -> Mapping[str, str]:
+        """What the docstring says of each parameter."""
+        return descriptions(self.path)
 
     def load(self) -> Callable[..., Any]:
         """Import the class or function."""

@@ -71,8 +71,9 @@ def tables(group: str, given: Mapping[str, Any]) -> dict[str, list[Row]]:
         values: Any = given
         for key in name.split(".") if name not in ("", _EXPERIMENT) else ():
             values = values.get(key, {})
+        words = components[name].descriptions
         found[name] = [
-            (key, _shown(values.get(key, p.default)), p.type.in_words(), _plain_text(p.description))
+            (key, _shown(values.get(key, p.default)), p.type.in_words(), _plain_text(words[key]))
             for key, p in components[name].settings.items()
         ]
     return found

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import PoseSpace
-from silpose.core.types import Array
+from silpose.core.types import Array, Indices, Mask
 from silpose.dataset.lazy_masks import LazyMasks
 from silpose.silhouette import Camera
 
@@ -80,6 +80,14 @@ class Take:
                 "rendered, such as dataset=same_performer"
             )
         return np.asarray(self.masks)
+
+    def masks_at(self, frames: Indices) -> Sequence[Mask]:
+        """Masks (H, W) of some frames, in their order; only these are rendered."""
+        if self.masks is None:
+            return []
+        if isinstance(self.masks, LazyMasks):
+            return list(self.masks.part(frames))
+        return [self.masks[frame] for frame in frames.tolist()]
 
     def camera_or(self, default: Camera) -> Camera:
         """Camera of this take, or the default where it has none of its own."""

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace
-from silpose.core.types import Array, Indices
+from silpose.core.types import Array, Indices, Mask
 from silpose.recording import entity_paths, palette
 
 if TYPE_CHECKING:
@@ -93,30 +93,43 @@ class InfluentialExamples:
 def _drawings(
     training: Sequence[Take], rows: Indices, camera: Camera, space: PoseSpace
 ) -> tuple[list[list[Array]], Array]:
-    """Outlines and bones of some rows of the training data."""
-    starts = np.cumsum([0, *(len(take) for take in training)])
-    drawings = []
-    for row in rows:
-        k = int(np.searchsorted(starts, row, side="right")) - 1
-        drawings.append(_drawing(training[k], int(row - starts[k]), camera, space))
-    return [outlines for outlines, _ in drawings], np.stack([bones for _, bones in drawings])
+    """Outlines, and bones ``(k, B, 2, 2)``, of some rows of the training data."""
+    outlines: list[list[Array]] = [[] for _ in rows]
+    bones = np.empty((len(rows), len(space.bones), 2, 2))
+    first = 0
+    for take in training:
+        own = np.flatnonzero((first <= rows) & (rows < first + len(take)))
+        strips, bones[own] = _of_take(take, rows[own] - first, camera, space)
+        for k, strip in zip(own, strips, strict=True):
+            outlines[k] = strip
+        first += len(take)
+    return outlines, bones
 
 
-def _drawing(take: Take, frame: int, camera: Camera, space: PoseSpace) -> tuple[list[Array], Array]:
-    """Outlines and bones ``(B, 2, 2)`` of one frame."""
-    joints = space.joints(take.x[frame : frame + 1])[0]
+def _of_take(
+    take: Take, frames: Indices, camera: Camera, space: PoseSpace
+) -> tuple[list[list[Array]], Array]:
+    """Outlines and bones ``(F, B, 2, 2)`` of some frames of a take."""
+    joints = space.joints(take.x[frames])
     bones = np.asarray(space.bones)
-    if take.masks is None:  # the camera is unknown: draw the pose from the front
-        flat = _SIZE * np.array([0.5, 1.0]) + 0.9 * _SIZE * joints[:, :2] * [1, -1]
-        return [], flat[bones]
+    if take.masks is None:  # the camera is unknown: draw the poses from the front
+        flat = _SIZE * np.array([0.5, 1.0]) + 0.9 * _SIZE * joints[..., :2] * [1, -1]
+        return [[] for _ in frames], flat[:, bones]
     own = take.camera_or(camera)
     scale = 2 * _SIZE / own.height
     middle = np.array([own.width / 2 - own.height / 4, 0])
-    flat = scale * (own.project(joints + take.offset[frame]) - middle)
-    contours, _ = cv2.findContours(take.masks[frame], cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    flat = scale * (own.project(joints + take.offset[frames][:, None]) - middle)
+    outlines = [
+        [scale * (strip - middle) for strip in _outlines(mask)] for mask in take.masks_at(frames)
+    ]
+    return outlines, flat[:, bones]
+
+
+def _outlines(mask: Mask) -> list[Array]:
+    """Find the closed outlines (N, 2) of a mask, pixels, without points that add little."""
+    contours, _ = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
     short = [cv2.approxPolyDP(c, 1.0, closed=True)[:, 0] for c in contours]
-    outlines = [scale * (np.vstack([c, c[:1]]) - middle) for c in short if len(c) > 2]
-    return outlines, flat[bones]
+    return [np.vstack([c, c[:1]]).astype(float) for c in short if len(c) > 2]
 
 
 def log_influential_examples(

@@ -3,7 +3,7 @@ import sys
 
 import pytest
 
-from silpose.app.signatures import REQUIRED, parameters
+from silpose.app.signatures import REQUIRED, descriptions, parameters
 
 
 def test_a_constructor_is_read_as_python_reads_it():
@@ -13,7 +13,7 @@ def test_a_constructor_is_read_as_python_reads_it():
     assert found["root"].type.in_words() == "text"  # or a Path, which no setting can be
     assert found["formats"].default == ["bvh", "amc"]  # a list, as in YAML
     assert found["joints"].type.mapping  # behind a name for its type
-    assert found["frames_per_second"].description
+    assert descriptions("silpose.motion:MotionFolder")["frames_per_second"]
 
 
 def test_a_data_class_is_read_by_its_fields():
@@ -23,9 +23,9 @@ def test_a_data_class_is_read_by_its_fields():
 
 
 def test_parameters_that_are_described_together_are_described_each():
-    found = parameters("silpose.descriptor:ShapeContextHistogram")
-    assert found["angular_bins"].description
-    assert found["radial_bins"].description
+    found = descriptions("silpose.descriptor:ShapeContextHistogram")
+    assert found["angular_bins"]
+    assert found["radial_bins"]
 
 
 def test_what_is_no_plain_value_is_no_setting():

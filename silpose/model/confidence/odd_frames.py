@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from silpose.core.pose_space import ANGLES
 from silpose.core.types import Array, Indices, Mask
-from silpose.dataset import LazyMasks, Take
+from silpose.dataset import Take
 from silpose.descriptor import ShapeContextHistogram
 from silpose.model.confidence.odd_masks import NOBODY, ODD, odd_mask, odd_poses
 from silpose.silhouette import Body, render
@@ -106,7 +106,7 @@ class _Pool:
         masks: list[Mask | None] = [None] * len(drawn)
         for k, take in enumerate(takes):  # a take at a time, as masks may have to be rendered
             own = np.flatnonzero(take_of == k)
-            for place, mask in zip(own.tolist(), masks_of(take, frames[own]), strict=True):
+            for place, mask in zip(own.tolist(), take.masks_at(frames[own]), strict=True):
                 masks[place] = mask
         self.masks: list[Mask] = [mask for mask in masks if mask is not None]
         self.x = np.array([takes[k].x[f] for k, f in zip(take_of, frames, strict=True)])
@@ -143,14 +143,6 @@ class _Pool:
                 camera = replace(camera, elevation=min(higher, 80.0))
             made += zip(render(body, camera, ANGLES.rotations(x)), x, strict=True)
         return made
-
-
-def masks_of(take: Take, frames: Indices) -> list[Mask]:
-    """Masks (H, W) of some frames of a take that has masks."""
-    assert take.masks is not None
-    if isinstance(take.masks, LazyMasks):
-        return list(take.masks.part(frames))
-    return [take.masks[frame] for frame in frames.tolist()]
 
 
 def _described(

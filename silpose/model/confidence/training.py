@@ -24,7 +24,6 @@ from silpose.model.confidence.odd_frames import (
     facts_of,
     frames_of_descriptors,
     frames_of_masks,
-    masks_of,
     odd_estimates,
 )
 from silpose.regression import Regressor
@@ -186,7 +185,7 @@ def _examples(take: Take, chosen: tuple[Array, Array, slice], space: PoseSpace) 
     z, x, frames = chosen
     facts: MaskFacts | None = None
     if take.masks is not None and len(z):
-        facts = facts_of(masks_of(take, np.arange(len(take))[frames]))[1]
+        facts = facts_of(take.masks_at(np.arange(len(take))[frames]))[1]
     return TrainingExamples.of(z, x, facts, space)
 
 
