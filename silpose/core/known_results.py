@@ -15,15 +15,17 @@ from typing import Any, Self
 import numpy as np
 from sklearn.base import BaseEstimator
 
+from silpose.core.array_files import read_npz
 from silpose.core.atomic_files import writing
 from silpose.core.digest import digest
 from silpose.core.one_builder import one_builder
 from silpose.core.pose_space import PoseSpace
+from silpose.core.serialisation import State
 
 
 @dataclass(frozen=True)
 class KnownResults:
-    """Plain values that were computed before, one file each.
+    """Plain values, or arrays, that were computed before, one file each.
 
     Attributes
     ----------
@@ -63,20 +65,48 @@ class KnownResults:
         InputError
             If the folder cannot be written to.
         """
+        return self._recalled(compute, depends_on, ".json", _read_json, _write_json)
+
+    def recall_arrays(self, compute: Callable[[], State], *depends_on: Any) -> State:
+        """Return arrays that are known, or compute them, as `recall` does with plain values."""
+        known: State = self._recalled(compute, depends_on, ".npz", read_npz, _write_npz)
+        return known
+
+    def _recalled(
+        self,
+        compute: Callable[[], Any],
+        depends_on: Sequence[Any],
+        suffix: str,
+        read: Callable[[Path], Any],
+        write: Callable[[Path, Any], None],
+    ) -> Any:
         known = self if self.folder is None else self.depending_on(_code(), *depends_on)
         if known.folder is None:
             return compute()
-        file = known.folder / f"{known.given}.json"
+        file = known.folder / f"{known.given}{suffix}"
         with one_builder(file):
             try:
                 if file.is_file():
-                    return json.loads(file.read_text())
+                    return read(file)
             except (OSError, ValueError) as error:
-                warnings.warn(f"'{file}' is damaged ({error}): it is made anew", stacklevel=2)
+                warnings.warn(f"'{file}' is damaged ({error}): it is made anew", stacklevel=3)
             result = compute()
             with writing(file) as temporary:
-                temporary.write_text(json.dumps(result, default=_plain))
-            return json.loads(file.read_text())  # now and later the same, to the last digit
+                write(temporary, result)
+            return read(file)  # now and later the same, to the last digit
+
+
+def _read_json(file: Path) -> Any:
+    return json.loads(file.read_text())
+
+
+def _write_json(file: Path, result: Any) -> None:
+    file.write_text(json.dumps(result, default=_plain))
+
+
+def _write_npz(file: Path, arrays: State) -> None:
+    with file.open("wb") as stream:  # to a name, NumPy would add a suffix
+        np.savez(stream, **arrays)
 
 
 def described(thing: Any) -> Any:

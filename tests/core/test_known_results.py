@@ -31,6 +31,21 @@ def test_what_was_computed_once_is_known(tmp_path):
     assert rows.times == 1
 
 
+def test_arrays_that_were_computed_once_are_known(tmp_path):
+    arrays = Counted({"a": np.arange(3.0), "names": np.array(["x", "yz"])})
+    known = KnownResults(tmp_path)
+    for _ in range(2):
+        own = known.recall_arrays(arrays, "odd masks")
+        np.testing.assert_array_equal(own["a"], arrays.result["a"])
+        assert own["names"].tolist() == ["x", "yz"]
+    assert arrays.times == 1
+    (file,) = tmp_path.glob("*.npz")
+    file.write_bytes(file.read_bytes()[:100])
+    with pytest.warns(UserWarning, match=r"is damaged .* made anew"):
+        known.recall_arrays(arrays, "odd masks")
+    assert arrays.times == 2
+
+
 def test_without_a_folder_nothing_is_remembered():
     rows = Counted([1])
     assert [KnownResults().recall(rows, "a") for _ in range(2)] == [[1], [1]]

@@ -73,7 +73,7 @@ class Confidence:
     def to_arrays(self) -> State:
         """Return everything as arrays, numbers and strings."""
         state: State = {"space": self.examples.space.name}
-        state |= prefixed("examples", {name: getattr(self.examples, name) for name in _ARRAYS})
+        state |= prefixed("examples", self.examples.to_arrays())
         state |= prefixed("calibration", self.calibration.to_arrays())
         return state
 

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace
+from silpose.core.serialisation import State
 from silpose.core.types import Array, Array32, Indices
 from silpose.silhouette.person import MaskFacts
 
@@ -84,9 +85,13 @@ class TrainingExamples:
     @classmethod
     def concatenate(cls, parts: Sequence[Self]) -> Self:
         """Join examples of one space."""
-        names = [field.name for field in fields(cls) if field.name != "space"]
-        arrays = {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
+        own = [part.to_arrays() for part in parts]
+        arrays = {name: np.concatenate([each[name] for each in own]) for name in own[0]}
         return cls(**arrays, space=parts[0].space)
+
+    def to_arrays(self) -> State:
+        """Everything but the space, by name, as the constructor takes it."""
+        return {f.name: getattr(self, f.name) for f in fields(self) if f.name != "space"}
 
     def evidence(self, z: Array, x: Array, facts: MaskFacts | None) -> Array:
         """Gather evidence about poses.

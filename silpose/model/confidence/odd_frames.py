@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.pose_space import ANGLES
+from silpose.core.serialisation import State, prefixed, without_prefix
 from silpose.core.types import Array, Indices, Mask
 from silpose.dataset import Take
 from silpose.descriptor import ShapeContextHistogram
@@ -42,8 +44,6 @@ class Frames:
         Whether frames are not as in training.
     kinds : list of str
         ``clean``, or what is odd.
-    masks : list of ndarray, each (H, W)
-        Of the person alone; none where there are descriptors only.
     """
 
     z: Array
@@ -51,14 +51,27 @@ class Frames:
     facts: MaskFacts | None
     odd: NDArray[np.bool_]
     kinds: list[str]
-    masks: list[Mask] = field(default_factory=list)
 
     def __getitem__(self, frames: Indices) -> Frames:
         """Take some of the frames."""
         return Frames(
             self.z[frames], self.x[frames], None if self.facts is None else self.facts[frames],
             self.odd[frames], [self.kinds[f] for f in frames.tolist()],
-            [self.masks[f] for f in frames.tolist()] if self.masks else [],
+        )  # fmt: skip
+
+    def to_arrays(self) -> State:
+        """Return everything as arrays."""
+        state: State = {name: getattr(self, name) for name in ("z", "x", "odd")}
+        state["kinds"] = np.array(self.kinds)
+        return state if self.facts is None else state | prefixed("facts", self.facts.to_arrays())
+
+    @classmethod
+    def from_arrays(cls, state: State) -> Self:
+        """Restore from the result of `to_arrays`."""
+        facts = without_prefix("facts", state)
+        return cls(
+            state["z"], state["x"], MaskFacts(**facts) if facts else None, state["odd"],
+            state["kinds"].tolist(),
         )  # fmt: skip
 
 
@@ -153,7 +166,7 @@ def _described(
     seen = np.flatnonzero(facts.seen)
     shown, own = [alone[f] for f in seen.tolist()], [kinds[f] for f in seen.tolist()]
     odd = np.array([kind != "clean" for kind in own])
-    return Frames(descriptor.transform(shown), x[seen], facts[seen], odd, own, shown)
+    return Frames(descriptor.transform(shown), x[seen], facts[seen], odd, own)
 
 
 def facts_of(masks: Sequence[Mask]) -> tuple[list[Mask], MaskFacts]:
@@ -186,23 +199,3 @@ def frames_of_descriptors(
     return Frames(
         np.concatenate([z[chosen], mixed]), np.concatenate([x[chosen], poses]), None, flags, kinds
     )
-
-
-def odd_estimates(x: Array, rng: np.random.Generator) -> Array:
-    """Make estimates stray towards those of other frames, as a tracker's or a fit's may.
-
-    Parameters
-    ----------
-    x : ndarray, shape (F, D)
-    rng : numpy.random.Generator
-
-    Returns
-    -------
-    x : ndarray, shape (F, D)
-        The norms of the headings' (cos, sin) are as before.
-    """
-    share = rng.uniform(0.1, 1, (len(x), 1))
-    odd = (1 - share) * x + share * x[rng.permutation(len(x))]
-    before, after = (np.hypot(own[:, :1], own[:, 1:2]) for own in (x, odd))
-    odd[:, :2] *= before / np.maximum(after, 1e-6)
-    return odd

@@ -60,7 +60,7 @@ class MaskFacts:
 
     def __getitem__(self, frames: slice | Indices | Flags) -> Self:
         """Facts of some frames; a slice, indices or flags, so that they stay arrays."""
-        return type(self)(**{name: value[frames] for name, value in self._arrays().items()})
+        return type(self)(**{name: value[frames] for name, value in self.to_arrays().items()})
 
     @property
     def cut_sides(self) -> Flags:
@@ -87,8 +87,9 @@ class MaskFacts:
     @classmethod
     def concatenate(cls, parts: Sequence[Self]) -> Self:
         """Join the facts of consecutive masks."""
-        arrays = [part._arrays() for part in parts]
+        arrays = [part.to_arrays() for part in parts]
         return cls(**{name: np.concatenate([a[name] for a in arrays]) for name in arrays[0]})
 
-    def _arrays(self) -> dict[str, Any]:
+    def to_arrays(self) -> dict[str, Any]:
+        """Everything by name, as the constructor takes it."""
         return {field.name: getattr(self, field.name) for field in fields(self)}

@@ -31,13 +31,12 @@ def test_every_kind_is_drawn(frames):
     nobody = np.isin(frames.kinds, NOBODY)
     np.testing.assert_array_equal(np.isnan(frames.x).all(axis=1), nobody)
     assert frames.facts is not None and frames.facts.seen.all()
-    assert len(frames.masks) == len(frames.z)
 
 
 def test_some_of_the_frames(frames):
     some = frames[np.array([3, 40])]
     assert some.kinds == [frames.kinds[3], frames.kinds[40]]
-    np.testing.assert_array_equal(some.masks[1], frames.masks[40])
+    np.testing.assert_array_equal(some.z[1], frames.z[40])
 
 
 def test_descriptors_alone(small):

@@ -7,7 +7,7 @@ from silpose.core.pose_space import ANGLES
 from silpose.dataset import Dataset
 from silpose.evaluation import right_poses
 from silpose.model import DescribedDataset, load
-from silpose.model.confidence import train_confidence, training
+from silpose.model.confidence import train_confidence
 from silpose.model.confidence.odd_frames import frames_of_masks
 
 
@@ -61,32 +61,3 @@ def test_a_single_take_is_enough(small, by_performer):
         data, small.described.descriptor, small.described.train[:1], [], []
     )
     assert train_confidence(described, small.regressor).examples.roots.shape == (60, 40)
-
-
-def test_many_performers_are_left_out_in_a_few_parts(small):
-    data = small.described.data
-    takes = [replace(take, performer=take.name) for take in data.train] * 3
-    takes = [
-        replace(take, name=f"{k}", performer=f"{k}", source=f"{k}") for k, take in enumerate(takes)
-    ]
-    described = replace(
-        small.described,
-        data=Dataset("many", ANGLES, takes, [], [], True),
-        train=[*small.described.train] * 3,
-    )
-    parts = training._left_out(described)
-    assert len(parts) <= 4
-    assert sorted(k for part in parts for k in part) == list(range(18))
-    assert len(training._parts(described)) == len(parts)
-
-
-def test_validation_takes_are_judged_too(small):
-    data, (z, x) = small.described.data, small.described.test[0]
-    described = replace(
-        small.described,
-        data=Dataset("validated", ANGLES, data.train[:1], data.test, []),
-        train=small.described.train[:1],
-        validation=[(z, x)],
-    )
-    (part,) = training._parts(described)
-    assert part.takes == data.test and part.rest == [0]
