@@ -8,6 +8,7 @@ import numpy as np
 from numba import njit
 
 from silpose.core.skeleton import JOINTS
+from silpose.core.skeleton.rotations import turn
 from silpose.core.types import Array
 from silpose.fitting.geometry import Geometry
 
@@ -44,9 +45,9 @@ def pose_tree(angles: Array, geometry: Geometry) -> tuple[Array, Array, Array]:
     first, second = np.empty((3, 3)), np.empty((3, 3))
     for j in range(18):
         one, two, three = geometry.orders[j, 0], geometry.orders[j, 1], geometry.orders[j, 2]
-        _turn(np.eye(3), one, angles[3 * j], first)
-        _turn(first, two, angles[3 * j + 1], second)
-        _turn(second, three, angles[3 * j + 2], local[j])
+        turn(np.eye(3), one, angles[3 * j], first)
+        turn(first, two, angles[3 * j + 1], second)
+        turn(second, three, angles[3 * j + 2], local[j])
         local_axes[j, one, 0] = 1.0  # columns are the axes
         for row in range(3):
             local_axes[j, row, 1] = first[row, two]
@@ -86,17 +87,6 @@ def _share_chest(local: Array, axes: Array) -> None:
     turn = _left_jacobian(vector / 3) @ (_inverse_left_jacobian(vector) @ axes[_CHEST]) / 3
     local[_CHEST] = _exponential(vector / 3)
     axes[_CHEST] = turn
-
-
-@njit(cache=True)
-def _turn(rotation: Array, axis: int, angle: float, turned: Array) -> None:
-    """Write a rotation times one about an axis."""
-    one, two = (axis + 1) % 3, (axis + 2) % 3
-    cosine, sine = cos(angle), sin(angle)
-    for row in range(3):
-        turned[row, axis] = rotation[row, axis]
-        turned[row, one] = cosine * rotation[row, one] + sine * rotation[row, two]
-        turned[row, two] = cosine * rotation[row, two] - sine * rotation[row, one]
 
 
 @njit(cache=True)
