@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
@@ -18,7 +18,6 @@ _NARROWING = 2.0  # iterations until it is smaller by 1
 _TRIAL = 3  # iterations after which starts are given up
 _HOPELESS = 60.0  # that cost so much more than the best one,
 _ALIKE = np.deg2rad(1.0)  # or differ so little in the mean angle from a cheaper one
-_NONE: Any = np.int64(0)  # iterations; for a plain 0, a type of its own, all is compiled anew
 
 
 class Gaussian(NamedTuple):
@@ -84,7 +83,6 @@ def fit_frame(
     return parameters, hessian, cost + (off * (precision @ off)).sum()
 
 
-@njit(cache=True, nogil=True)
 def fit_starts(
     starts: Array, prior: Gaussian, observation: Observation, iterations: int, cheapest: float
 ) -> tuple[Array, Array, Array]:
@@ -110,7 +108,7 @@ def fit_starts(
     ends, hessians = starts.copy(), np.empty((count, size, size))
     costs, trial = np.empty(count), min(_TRIAL, iterations)
     for k in range(count):
-        ends[k], hessians[k], costs[k] = fit_frame(starts[k], prior, observation, trial, _NONE)
+        ends[k], hessians[k], costs[k] = fit_frame(starts[k], prior, observation, trial, 0)
     limit = min(cheapest, costs.min()) + _HOPELESS
     order, tried = np.argsort(costs), ends.copy()
     for place in range(count):
@@ -124,15 +122,10 @@ def fit_starts(
     return ends, hessians, costs
 
 
-@njit(cache=True, nogil=True)
 def _among(end: Array, others: Array, costs: Array) -> bool:
     """Whether angles are nearly those of one of the others that was not given up."""
-    for k in range(len(others)):
-        if np.isfinite(costs[k]):
-            off = difference(end, others[k])
-            if np.abs(off[:ANGLES]).mean() < _ALIKE:
-                return True
-    return False
+    off = (difference(end, other)[:ANGLES] for other in others[np.isfinite(costs)])
+    return any(np.abs(own).mean() < _ALIKE for own in off)
 
 
 @njit(cache=True, nogil=True)
@@ -145,7 +138,6 @@ def _widened(observation: Observation, factor: float) -> Observation:
     return Observation(contour, root, geometry, view, wide)
 
 
-@njit(cache=True, nogil=True)
 def cost_of_turning(
     parameters: Array, prior: Gaussian, observation: Observation, iterations: int
 ) -> float:
@@ -168,6 +160,6 @@ def cost_of_turning(
     own, turned, start = mean.copy(), mean.copy(), parameters.copy()
     start[0] += np.pi
     own[0], turned[0] = parameters[0], start[0]
-    _, _, cost = fit_frame(parameters, Gaussian(own, precision), observation, _NONE, _NONE)
-    _, _, other = fit_frame(start, Gaussian(turned, precision), observation, iterations, _NONE)
+    _, _, cost = fit_frame(parameters, Gaussian(own, precision), observation, 0, 0)
+    _, _, other = fit_frame(start, Gaussian(turned, precision), observation, iterations, 0)
     return other - cost
