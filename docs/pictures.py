@@ -24,7 +24,7 @@ from silpose.recording import FinishedRun, film, picture
 
 DOCS = Path(__file__).parent
 WIDTH, COLOURS = 1000, 64  # pixels and colours of a picture, so that it stays small
-OF_OWN_DATA = {"masks", "motion_report", "predict", "training_data"}  # these need data
+OF_OWN_DATA = {"masks", "motion_report", "predict", "training_data", "video"}  # these need data
 SECONDS, RATE = 6, 15  # of the film
 FRAME = 176  # of the viewer's picture
 
