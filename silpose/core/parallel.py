@@ -8,17 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from functools import cache, partial
+from functools import partial
 from importlib.util import find_spec
 from os import cpu_count, getpid
 from socket import gethostname
-from threading import Lock
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
 from joblib import Parallel, delayed, parallel_config
 from joblib.parallel import get_active_backend
-from threadpoolctl import ThreadpoolController, threadpool_limits
+from threadpoolctl import threadpool_limits
 
 from silpose.core.errors import InputError
 from silpose.core.parameters import check_values, one_of
@@ -51,39 +50,6 @@ def one_worker() -> Iterator[None]:
             yield
     finally:
         _most_threads, _serial = before
-
-
-class OneThread:
-    """Context in which linear algebra has one thread; entering it takes microseconds.
-
-    For what is done frame by frame: threads wait for each other longer than small matrices take,
-    and a frame's other work has the other processors. Contexts may overlap, also in several
-    threads; with the last of them what was set before is back.
-    """
-
-    _lock = Lock()
-    _entered = 0
-    _limit: Any = None
-
-    def __enter__(self) -> None:
-        own = OneThread
-        with own._lock:
-            if not own._entered:
-                own._limit = _libraries().limit(limits=1, user_api="blas")
-            own._entered += 1
-
-    def __exit__(self, *error: object) -> None:
-        own = OneThread
-        with own._lock:
-            own._entered -= 1
-            if not own._entered:
-                own._limit.restore_original_limits()
-
-
-@cache
-def _libraries() -> ThreadpoolController:
-    """Find the libraries with threads once: that takes milliseconds."""
-    return ThreadpoolController()
 
 
 def parallel_map(

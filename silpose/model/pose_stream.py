@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from silpose.core.parallel import OneThread
+from silpose.core.one_thread import OneThread
 from silpose.core.types import Array, Mask
 from silpose.fitting import SHAPES, Fit, FitterStream
 from silpose.model.answers import confidence_of, warn_without_calibration

@@ -11,7 +11,6 @@ from threadpoolctl import threadpool_info, threadpool_limits
 
 from silpose.core.errors import InputError
 from silpose.core.parallel import (
-    OneThread,
     one_worker,
     parallel_map,
     parallel_stream,
@@ -119,20 +118,6 @@ def test_one_worker_works_alone_whatever_is_asked_for():
             assert set(parallel_stream(where, range(4))) == alone
             assert set(thread_map(where, 4, n_jobs=2)) == alone
         assert os.getpid() not in {pid for pid, *_ in parallel_map(where, range(4))}
-
-
-def test_linear_algebra_has_one_thread_until_the_last_context_ends():
-    def threads():
-        return {p["num_threads"] for p in threadpool_info() if p["user_api"] == "blas"}
-
-    with threadpool_limits(2):
-        one, other = OneThread(), OneThread()
-        one.__enter__()
-        with other:
-            assert threads() == {1}
-            one.__exit__()  # overlapping, as in two threads
-            assert threads() == {1}
-        assert threads() == {2}
 
 
 SPAWNING = """
