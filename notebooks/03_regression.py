@@ -102,7 +102,7 @@ plt.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
 plt.show()
 
 # %% [markdown]
-# **6. Watch it.** Orange bars show how much each kept silhouette contributes to the pose of a
+# **6. Watch it.** Vermilion bars show how much each kept silhouette contributes to the pose of a
 # frame, and *Why this pose?* the ones with the largest weight.
 
 # %%

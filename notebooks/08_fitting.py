@@ -61,7 +61,7 @@ fitter = BodyFitter(Body(), test.camera, prior)
 
 # %% [markdown]
 # **3. One frame converges:** the one whose mask the regression's pose covers worst. Grey is where
-# mask and body are, blue where only the mask is, orange where only the body is.
+# mask and body are, blue where only the mask is, vermilion where only the body is.
 
 # %%
 import matplotlib.pyplot as plt

@@ -136,7 +136,7 @@ def _figure(shares: Mapping[str, Array], metrics: Metrics) -> Figure:
     figure.supylabel(f"share of frames within {HEADING_LIMIT_DEG:g}° of the heading", fontsize=9.5)
     headline(
         figure, "From which frames does a tracker lock on by itself?",
-        f"Orange: the heading is right in {LOCKED_SHARE:.0%} of the frames, or more, "
+        f"Vermilion: the heading is right in {LOCKED_SHARE:.0%} of the frames, or more, "
         f"from {SETTLING:g} s after the start",
     )  # fmt: skip
     return figure

@@ -15,9 +15,10 @@ from silpose.core.progress import bar
 from silpose.core.stages import stage
 from silpose.core.types import Mask
 from silpose.experiments.masks_figure import masks_figure
-from silpose.experiments.masks_report import SeenTake, report, shortened
+from silpose.experiments.masks_report import SeenTake, in_columns, report, shortened
 from silpose.experiments.setup import Components
 from silpose.recording import Recording, Result, record_study
+from silpose.recording.captions import facts_in_markdown
 from silpose.silhouette.mask_tree import find_takes, is_tree
 from silpose.silhouette.masks import MaskSequence, MaskSource, read_masks
 from silpose.silhouette.person import MaskFacts, select_person
@@ -48,13 +49,15 @@ def masks(components: Components, *, shown: int = 24, takes: int = 100) -> Resul
             take, kept, _ = _see(read_masks(own.source, own), own.person)
             seen, pictures, summary = [take], (take.sequence, kept, take.facts), ""
     record = partial(record_study, series={}, title="", frames_per_second=15.0)
-    told = report(seen, own.frames_per_second)
+    facts = report(seen, own.frames_per_second)
+    told = "\n\n".join(map(in_columns, facts))
+    count = f"{sum(len(take.shapes) for take in seen)} masks"
     return Result(
         Path(own.source).name,
         {},
         rows=[row for take in seen for row in take.rows()],
         figure=masks_figure(*pictures, shown),
-        recording=Recording(f"{sum(len(take.shapes) for take in seen)} masks", record),
+        recording=Recording("\n\n".join([count, *map(facts_in_markdown, facts)]), record),
         summary=f"{told}\n\n{summary}" if summary else told,
     )
 

@@ -10,7 +10,8 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from silpose.core.types import Mask
-from silpose.experiments.figures import DOUBTFUL, ESTIMATED, NEUTRAL, headline
+from silpose.experiments.figures import DOUBTFUL, NEUTRAL, headline
+from silpose.recording import palette
 from silpose.recording.figure_style import HAIRLINE, INK, styled
 from silpose.silhouette.masks import MaskSequence
 from silpose.silhouette.person import MaskFacts
@@ -18,6 +19,7 @@ from silpose.silhouette.person import MaskFacts
 _COLUMNS = 8
 _LONGEST_NAME = 16
 _BACKGROUND = 0.95
+_FILLED = palette.hexed(palette.MASK_STATES["filled"])
 
 
 @styled
@@ -44,7 +46,8 @@ def masks_figure(
     size = max(1.35 * columns, 6.0), (cell + 0.3) * rows + 1.0
     figure = Figure(figsize=size, layout="constrained")
     grid = figure.subplots(rows, columns, squeeze=False)
-    headline(figure, f"What is seen in {len(sequence)} masks", _legend(sequence))
+    drawn = [(sequence[frame], kept[frame]) for frame in frames]
+    headline(figure, f"What is seen in {len(sequence)} masks", _legend(sequence, drawn))
     states = facts.states() if facts is not None else [""] * len(sequence)
     for axes in grid.flat[len(frames) :]:
         axes.set_axis_off()
@@ -55,14 +58,20 @@ def masks_figure(
     return figure
 
 
-def _legend(sequence: MaskSequence) -> str:
-    return f"Black: the person. Grey: left out. Orange: filled in.\nRead as {sequence.encoding}"
+def _legend(sequence: MaskSequence, drawn: Sequence[tuple[Mask, Mask]]) -> str:
+    """Name the colours that are drawn, and no others."""
+    words = ["Black: the person."]
+    if any(((mask > 0) & (person == 0)).any() for mask, person in drawn):
+        words.append("Grey: left out.")
+    if any(((mask == 0) & (person > 0)).any() for mask, person in drawn):
+        words.append("Orange: filled in.")
+    return f"{' '.join(words)}\nRead as {sequence.encoding}"
 
 
 def _draw(axes: Axes, mask: Mask, person: Mask, name: str, words: str) -> None:
     picture = np.full((*mask.shape, 3), _BACKGROUND)
     picture[(mask > 0) & (person == 0)] = to_rgb(NEUTRAL)
-    picture[(mask == 0) & (person > 0)] = to_rgb(ESTIMATED)
+    picture[(mask == 0) & (person > 0)] = to_rgb(_FILLED)
     picture[(mask > 0) & (person > 0)] = to_rgb(INK)
     axes.imshow(picture, interpolation="nearest")
     axes.set(xticks=[], yticks=[])

@@ -67,7 +67,7 @@ class SeenTake:
         return rows
 
 
-def report(takes: Sequence[SeenTake], rate: float | None = None) -> str:
+def report(takes: Sequence[SeenTake], rate: float | None = None) -> list[list[tuple[str, str]]]:
     """Describe takes, those that are encoded alike together.
 
     Parameters
@@ -75,14 +75,24 @@ def report(takes: Sequence[SeenTake], rate: float | None = None) -> str:
     takes : sequence of SeenTake
     rate : float, optional
         Frames per second that are used instead of the source's own.
+
+    Returns
+    -------
+    facts : list of list of tuple
+        For each encoding, titles and what they say.
     """
     kinds: dict[str, list[SeenTake]] = {}
     for take in takes:
         kinds.setdefault(take.sequence.encoding, []).append(take)
-    return "\n\n".join(_kind(encoding, own, rate) for encoding, own in kinds.items())
+    return [_kind(encoding, own, rate) for encoding, own in kinds.items()]
 
 
-def _kind(encoding: str, takes: Sequence[SeenTake], rate: float | None) -> str:
+def in_columns(facts: Sequence[tuple[str, str]]) -> str:
+    """Write titles in a column, and beside it what they say."""
+    return "\n".join(f"{title:<{_WIDTH}}{words}" for title, words in facts)
+
+
+def _kind(encoding: str, takes: Sequence[SeenTake], rate: float | None) -> list[tuple[str, str]]:
     lines = [("encoding", encoding)]
     if takes[0].name:
         lines += [("takes", f"{len(takes)}: {shortened([take.name for take in takes])}")]
@@ -97,7 +107,7 @@ def _kind(encoding: str, takes: Sequence[SeenTake], rate: float | None) -> str:
     lines += [("to do", words) for words in refused[:_LISTED]]
     if len(refused) > _LISTED:
         lines += [("", f"and so in {len(refused) - _LISTED} more takes")]
-    return "\n".join(f"{title:<{_WIDTH}}{words}" for title, words in lines)
+    return lines
 
 
 def _sizes(shapes: np.ndarray) -> str:

@@ -12,7 +12,11 @@ from silpose.core.pose_space import ANGLES
 from silpose.core.progress import bar
 from silpose.core.stages import timed
 from silpose.experiments.motion_report_figure import motion_figure
-from silpose.experiments.motion_report_text import report_in_words, report_table
+from silpose.experiments.motion_report_text import (
+    report_in_markdown,
+    report_in_words,
+    report_table,
+)
 from silpose.experiments.setup import Components, renderer_of
 from silpose.motion import CapturedTake, MotionFolder
 from silpose.recording import Recording, Result, record_motion
@@ -41,6 +45,7 @@ def motion_report(components: Components, *, shown: int = 12) -> Result:
     text = report_in_words(root, reports, refused)
     if not takes:
         return Result(root.name, {}, report=text)
+    told = report_in_markdown(root, reports, refused)
     first, take = next(iter(takes.items()))
     record = partial(
         record_motion,
@@ -52,7 +57,7 @@ def motion_report(components: Components, *, shown: int = 12) -> Result:
         root.name,
         {},
         figure=motion_figure(dict(list(takes.items())[:shown])),
-        recording=Recording(f"`{first}`, and what was understood:\n\n```\n{text}\n```", record),
+        recording=Recording(f"Shown: `{first}`\n\n{told}", record),
         tables={"takes.csv": csv_text(report_table(reports, refused))},
         report=text,
     )

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Sized
+from itertools import starmap
 from pathlib import Path
 
 from silpose.motion import CaptureReport
+from silpose.recording.captions import facts_in_markdown, table_in_markdown
 
 _WIDTH, _INDENT = 100, 12
 _TITLES = ("take", "seconds", "frames/s", "m/unit", "m/s", "strides/s", "turns left", "doubts")
@@ -27,16 +29,25 @@ def report_in_words(
     refused : mapping of str to str
         Reasons by file.
     """
-    blocks: dict[tuple[object, ...], dict[str, CaptureReport]] = {}
-    for file, report in reports.items():
-        blocks.setdefault(_understood(report), {})[file] = report
-    counted = f"{len(reports) + len(refused)} files, {len(reports)} understood"
-    parts = [f"{root}: {counted}" if len(reports) + len(refused) > 1 else str(root)]
-    parts += [_block(own) for own in blocks.values()]
+    parts = [_head(root, reports, refused)]
+    for own in _blocks(reports):
+        parts.append("\n".join([_title(own), *starmap(_item, _facts(own)), "", *_takes(own)]))
+        if doubts := list(starmap(_item, _doubts(own))):
+            parts[-1] += "\n\n" + "\n".join(doubts)
     if refused:
-        parts.append(
-            "\n".join(_item("refused", f"{file}: {reason}") for file, reason in refused.items())
-        )
+        parts.append("\n".join(starmap(_item, _refusals(refused))))
+    return "\n\n".join(parts)
+
+
+def report_in_markdown(
+    root: Path, reports: Mapping[str, CaptureReport], refused: Mapping[str, str]
+) -> str:
+    """Write the same for a recording, whose lines are as long as its window is wide."""
+    parts = [f"`{_head(root, reports, refused)}`"]
+    for own in _blocks(reports):
+        parts += [f"### `{_title(own)}`", table_in_markdown(_rows(own))]
+        parts += [facts_in_markdown([*_doubts(own), *_facts(own)])]
+    parts += [facts_in_markdown(_refusals(refused))] if refused else []
     return "\n\n".join(parts)
 
 
@@ -67,29 +78,51 @@ def _understood(r: CaptureReport) -> tuple[object, ...]:
             r.unit, r.assumed)  # fmt: skip
 
 
-def _block(reports: Mapping[str, CaptureReport]) -> str:
+def _head(root: Path, reports: Sized, refused: Sized) -> str:
+    counted = f"{len(reports) + len(refused)} files, {len(reports)} understood"
+    return f"{root}: {counted}" if len(reports) + len(refused) > 1 else str(root)
+
+
+def _blocks(reports: Mapping[str, CaptureReport]) -> Iterable[dict[str, CaptureReport]]:
+    """Group takes that were understood alike."""
+    blocks: dict[tuple[object, ...], dict[str, CaptureReport]] = {}
+    for file, report in reports.items():
+        blocks.setdefault(_understood(report), {})[file] = report
+    return blocks.values()
+
+
+def _title(reports: Mapping[str, CaptureReport]) -> str:
     (first, r), *others = reports.items()
-    head = f"{first} ({r.format})" + (f" and {len(others)} more" if others else "")
-    lines = [head]
-    lines += [_item("joints", _joints(r))]
+    return f"{first} ({r.format})" + (f" and {len(others)} more" if others else "")
+
+
+def _facts(reports: Mapping[str, CaptureReport]) -> list[tuple[str, str]]:
+    """Say what takes that were understood alike have in common."""
+    r = next(iter(reports.values()))
     off = f"; the torso may be {r.rest_uncertainty:.0f}° off" if r.rest_uncertainty else ""
-    lines += [_item("rest pose", r.rest + off)]
     axes = f"{r.up} points up" + (", turned upright" if r.turned else "")
     mirrored = "; mirrored, as motion.mirror says" if r.mirrored else ""
-    lines += [_item("axes", f"{axes}; facing by {r.facing}{mirrored}")]
-    lines += [_item("size", _size(list(reports.values())))]
-    lines += [_item("assumed", text) for text in r.assumed if r.rest not in text]
-    lines += ["", *_takes(reports)]
+    return [
+        ("joints", _joints(r)),
+        ("rest pose", r.rest + off),
+        ("axes", f"{axes}; facing by {r.facing}{mirrored}"),
+        ("size", _size(list(reports.values()))),
+        *(("assumed", text) for text in r.assumed if r.rest not in text),
+    ]
+
+
+def _doubts(reports: Mapping[str, CaptureReport]) -> list[tuple[str, str]]:
+    """Name for each doubt the first take that has it, and count the others."""
     noted: dict[str, list[str]] = {}
     for file, report in reports.items():
         for note in report.notes:
             noted.setdefault(note, []).append(file)
-    if noted:
-        lines.append("")
-    for note, files in noted.items():
-        more = f" and {len(files) - 1} more" if len(files) > 1 else ""
-        lines.append(_item("doubt", f"{files[0]}{more}: {note}"))
-    return "\n".join(lines)
+    more = {note: f" and {len(files) - 1} more" * (len(files) > 1) for note, files in noted.items()}
+    return [("doubt", f"{files[0]}{more[note]}: {note}") for note, files in noted.items()]
+
+
+def _refusals(refused: Mapping[str, str]) -> list[tuple[str, str]]:
+    return [("refused", f"{file}: {reason}") for file, reason in refused.items()]
 
 
 def _joints(r: CaptureReport) -> str:
@@ -125,14 +158,19 @@ def _range(values: Sequence[float]) -> str:
     return low if low == high else f"{low} to {high}"
 
 
-def _takes(reports: Mapping[str, CaptureReport]) -> list[str]:
-    rows = [_TITLES]
+def _rows(reports: Mapping[str, CaptureReport]) -> list[tuple[str, ...]]:
+    rows: list[tuple[str, ...]] = [_TITLES]
     for file, r in reports.items():
         strides = "-" if r.strides_per_second is None else f"{r.strides_per_second:.2f}"
         rows.append(
             (file, f"{r.seconds:.1f}", f"{r.source_rate:g}", f"{r.metres_per_unit:.4g}",
              f"{r.speed:.2f}", strides, f"{r.heading_change:+.0f}°", str(len(r.notes) or "-"))
         )  # fmt: skip
+    return rows
+
+
+def _takes(reports: Mapping[str, CaptureReport]) -> list[str]:
+    rows = _rows(reports)
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return ["  " + _row(row, widths) for row in rows]
 

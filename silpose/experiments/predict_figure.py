@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from silpose.core.types import Array, Indices, Mask
 from silpose.experiments.figures import (
@@ -49,12 +50,13 @@ def prediction_figure(details: PredictionDetails, poses: Poses) -> Figure:
     headings, confidence = below.subplots(2, sharex=True)
     _plot_headings(headings, poses)
     _plot_confidence(confidence, poses)
+    blank = np.array([not mask.any() for mask in details.masks[: len(poses)]])
     for axes in (headings, confidence):
-        _mark_frames(axes, poses, frames)
+        _mark_frames(axes, poses, frames, blank)
     headline(
         figure, f"Estimated poses of {poses.summary()}",
         "Left limbs are light, right limbs dark. Below a mask: the confidence in its pose; "
-        "one of a doubtful pose is marked (?). Ticks: the frames above",
+        "one of a doubtful pose is marked (?). Ticks: the frames above; shaded: nobody is seen",
     )  # fmt: skip
     return figure
 
@@ -77,7 +79,8 @@ def _draw_masks(
         axes.set(**_window(mask))
         without_ink(axes)
         axes.set_title(f"frame {frame}", fontsize=9, loc="center", pad=2)
-        words = [] if poses.state[frame] == "estimated" else [str(poses.state[frame])]
+        state = str(poses.state[frame]) if mask.any() else "blank"
+        words = [] if state == "estimated" else [state]
         if confidence > 0:
             words.append(f"{confidence:.2f}" + " ?" * bool(doubtful))
         axes.set_xlabel(", ".join(words), labelpad=1, color=DOUBTFUL if doubtful else INK)
@@ -107,11 +110,11 @@ def _plot_confidence(axes: Axes, poses: Poses) -> None:
     axes.set(ylim=(0, 1.02), yticks=(0, 0.5, 1), ylabel="confidence", xlabel="seconds")
 
 
-def _mark_frames(axes: Axes, poses: Poses, frames: Indices) -> None:
-    """Mark the frames that are drawn, and shade those without a pose."""
+def _mark_frames(axes: Axes, poses: Poses, frames: Indices, blank: NDArray[np.bool_]) -> None:
+    """Mark the frames that are drawn, and shade those in which nobody is seen or has a pose."""
     time: Array = poses.time
     half = 0.5 * float(np.median(np.diff(time))) if len(time) > 1 else 0.5
-    for start in time[~np.isfinite(poses.heading)]:
+    for start in time[~np.isfinite(poses.heading) | blank]:
         axes.axvspan(start - half, start + half, color=HAIRLINE, lw=0)
     axes.plot(time[frames], np.ones(len(frames)), "|", color=INK, clip_on=False,
               transform=axes.get_xaxis_transform())  # fmt: skip

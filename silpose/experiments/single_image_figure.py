@@ -81,7 +81,7 @@ def single_image_figure(
     error = with_unit(errors[method], space.metrics[0])
     headline(
         figure, f"Pose from one silhouette: {in_words(method)}, error {error}",
-        "Blue is true, orange estimated; left limbs are light, right limbs dark",
+        "Blue is true, vermilion estimated; left limbs are light, right limbs dark",
     )  # fmt: skip
     return figure
 

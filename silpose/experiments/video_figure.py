@@ -13,8 +13,11 @@ from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array
+from silpose.experiments.figures import headline
 from silpose.model.video import VideoStep
 from silpose.recording import palette
+from silpose.recording.captions import coloured
+from silpose.recording.figure_style import styled
 
 _EVERY, _MOST = 10, 40  # frames apart, and panels; of a long film they are further apart
 _COLUMNS = 10
@@ -23,6 +26,12 @@ _MARGIN = 0.62  # half of a panel's height, in heights of the person
 _PIXELS = 240  # height of a panel
 _SURE, _DOUBTFUL = palette.ESTIMATED, palette.DOUBTFUL
 _MASK, _OUTLINE = palette.hexed(palette.TRUE), palette.hexed(palette.EDGE)
+_DRAWN = {
+    "mask": palette.TRUE,
+    "fitted outline": palette.EDGE,
+    "skeleton": _SURE,
+    "where doubtful": _DOUBTFUL,
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +65,7 @@ class ContactSheet:
             self._every *= 2
             self._panels = [panel for panel in self._panels if panel.number % self._every == 0]
 
+    @styled
     def figure(self, space: PoseSpace, title: str) -> Figure:
         """Draw all panels.
 
@@ -66,8 +76,8 @@ class ContactSheet:
         """
         columns = min(_COLUMNS, len(self._panels))
         rows = -(-len(self._panels) // columns)
-        figure = Figure(figsize=(max(1.35 * columns, 6), 1.9 * rows + 0.5), layout="constrained")
-        figure.suptitle(title, fontsize=10)
+        figure = Figure(figsize=(max(1.35 * columns, 6), 1.9 * rows + 0.9), layout="constrained")
+        headline(figure, title, f"Frame · confidence. Lines: {coloured(_DRAWN)}; left side light")
         every = list(figure.subplots(rows, columns, squeeze=False).flat)
         for axes in every:
             axes.set_axis_off()
@@ -124,4 +134,4 @@ def _draw(axes: Axes, space: PoseSpace, panel: _Panel) -> None:
             axes.plot(*panel.skeleton[list(bone)].T, color=palette.hexed(own), lw=1.2)
     height, width = panel.picture.shape[:2]
     axes.set(xlim=(0, width), ylim=(height, 0))
-    axes.set_title(panel.title, fontsize=7, pad=2, color=palette.hexed(colour))
+    axes.set_title(panel.title, fontsize=8, loc="center", pad=2, color=palette.hexed(colour))

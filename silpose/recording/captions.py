@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from silpose.recording import palette
 
@@ -41,3 +41,20 @@ def coloured(colours: Mapping[str, palette.Colour]) -> str:
         for name, colour in colours.items()
     )
     return ", ".join(said)
+
+
+def facts_in_markdown(facts: Iterable[tuple[str, str]]) -> str:
+    """Facts, each below its title in bold, for a pane that wraps text and has any width."""
+    return "\n\n".join(f"**{title}** {_literal(words)}" for title, words in facts)
+
+
+def table_in_markdown(rows: Sequence[Sequence[str]]) -> str:
+    """Rows of a table, that of titles first; numbers stand to the right."""
+    head, *others = (" | ".join(map(_literal, row)) for row in rows)
+    ruler = " | ".join([":--", *["--:"] * (len(rows[0]) - 1)])
+    return "\n".join(f"| {line} |" for line in (head, ruler, *others))
+
+
+def _literal(words: str) -> str:
+    """Words of which nothing is read as markup."""
+    return re.sub(r"([\\`*_<\[|])", r"\\\1", words)

@@ -73,7 +73,7 @@ def record_fitting(
     """
     masks = take.mask_array()
     rate, window = take.frames_per_second, window_of(masks) or (0.0, 1.0, 0.0, 1.0)
-    layout = fitting_layout(list(iou), rate, space.metrics[0], window)
+    layout = fitting_layout(list(iou), rate, space.metrics[0], truth.errors, window)
     with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(take), rate)
         _log_overlap(logger, masks, silhouettes["before"], silhouettes["after"])

@@ -151,7 +151,9 @@ class FrameLogger:
         lines, points = (rr.LineStrips2D, rr.Points2D) if flat else (rr.LineStrips3D, rr.Points3D)
         size: Any = rr.Radius.ui_points(radius) if flat else radius
         each = [colour] if isinstance(colour, tuple) else colour
-        self.static(entity, _named_joints(names, bones, each[0]))
+        # The viewer draws connections in one colour, over bones that may have another.
+        connections = bones if isinstance(colour, tuple) else ()
+        self.static(entity, _named_joints(names, connections, each[0]))
         ids = np.arange(len(names))
         self.static(entity, points.from_fields(class_ids=0, keypoint_ids=ids, show_labels=False))
         places = joints.astype(np.float32)

@@ -43,9 +43,9 @@ def record_modes(
     rate = take.frames_per_second
     layout = modes_layout(
         weights.shape[1],
-        list(truth.errors),
         rate,
         space.metrics[0],
+        truth.errors,
         take.has_masks,
         window_of(take.mask_array()) if take.has_masks else None,
     )

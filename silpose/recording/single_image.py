@@ -49,7 +49,12 @@ def record_single_image(
     """
     space, rate = model.space, model.frames_per_second
     layout = single_image_layout(
-        shown, rate, space.metrics[0], window_of(details.masks), examples=examples is not None
+        shown,
+        rate,
+        space.metrics[0],
+        truth.errors,
+        window_of(details.masks),
+        examples=examples is not None,
     )
     with recording_stream(header, layout) as recording:
         logger = log_details(recording, model, details, rate)

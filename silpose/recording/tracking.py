@@ -55,7 +55,9 @@ def record_tracking(
         raise ValueError("a track without beliefs: record it with record_hypotheses")
     rate = take.frames_per_second
     masks = take.mask_array() if take.has_masks else ()
-    layout = tracking_layout(list(tracks), rate, space.metrics[0], take.has_masks, window_of(masks))
+    layout = tracking_layout(
+        list(tracks), rate, space.metrics[0], truth.errors, take.has_masks, window_of(masks)
+    )
     with recording_stream(header, layout) as recording:
         logger = FrameLogger(recording, len(take), rate)
         if take.has_masks:

@@ -11,7 +11,7 @@ from silpose.recording import entity_paths, palette
 from silpose.recording.stream import FanOut
 
 _WHITE: palette.Colour = (235, 235, 235)
-_SIDES = {"left": palette.TRUE, "right": palette.ESTIMATED}
+_SIDES = {side: palette.shade(palette.ESTIMATED, side) for side in ("left", "right")}
 
 
 def log_video_styles(recording: rr.RecordingStream | FanOut, size: tuple[int, ...]) -> None:

@@ -1,6 +1,6 @@
 import numpy as np
 
-from silpose.experiments.masks_report import SeenTake, report, shortened
+from silpose.experiments.masks_report import SeenTake, in_columns, report, shortened
 from silpose.silhouette import MaskSequence
 from silpose.silhouette.person import select_person
 
@@ -16,7 +16,8 @@ def seen(name="", **facts):
 
 def test_a_source_is_described_line_by_line():
     ignored = ("x.jpg: no mask", "y.jpg: no mask", "z.txt: no image")
-    told = report([seen(ignored=ignored, notes=("a note",))], 15)
+    (facts,) = report([seen(ignored=ignored, notes=("a note",))], 15)
+    told = in_columns(facts)
     lines = [line.split(maxsplit=1) for line in told.splitlines()]
     assert ["masks", "3 of 40 x 30 pixels, height x width"] in lines
     assert ["rate", "25 frames per second; 15 are used"] in lines
@@ -26,7 +27,7 @@ def test_a_source_is_described_line_by_line():
 
 
 def test_takes_are_named():
-    told = report([seen("001"), seen("002")])
+    told = "\n".join(map(in_columns, report([seen("001"), seen("002")])))
     assert "takes       2: 001, 002" in told
     assert "blank       2: 001/b, 002/b" in told
     assert seen("001").rows()[1] | {"take": "001", "state": "blank"} == seen("001").rows()[1]

@@ -3,7 +3,11 @@ from pathlib import Path
 
 import pytest
 
-from silpose.experiments.motion_report_text import report_in_words, report_table
+from silpose.experiments.motion_report_text import (
+    report_in_markdown,
+    report_in_words,
+    report_table,
+)
 from silpose.motion import CaptureReport
 
 REPORT = CaptureReport(
@@ -72,3 +76,15 @@ def test_the_table_holds_the_same():
 def test_who_does_not_walk_has_no_strides(strides):
     (_, row) = report_table({"a": replace(REPORT, strides_per_second=strides)}, {})
     assert row[10] == ("" if strides is None else "1")
+
+
+def test_a_recording_has_the_same_without_lines_of_a_fixed_length():
+    doubtful = replace(REPORT, notes=("is the rate right?",))
+    told = report_in_markdown(Path("walks"), {"a_1.bvh": doubtful}, {"c.bvh": "no HIERARCHY"})
+    parts = told.split("\n\n")
+    assert parts[:2] == ["`walks: 2 files, 1 understood`", "### `a_1.bvh (BVH)`"]
+    assert parts[2].splitlines()[0].startswith("| take | seconds |")
+    assert parts[2].splitlines()[2].startswith("| a\\_1.bvh | 3.0 |")
+    assert parts[3].startswith("**doubt** a\\_1.bvh: is the rate right?")
+    assert "**axes** z points up, turned upright; facing by knees, feet" in parts
+    assert parts[-1] == "**refused** c.bvh: no HIERARCHY"

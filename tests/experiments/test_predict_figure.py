@@ -23,5 +23,9 @@ def test_masks_are_drawn_with_skeletons_and_doubt(finished, mask_folder, frames)
     drawn = [axes for axes in figure.axes if axes.images]
     assert len(drawn) == frames
     assert [bool(axes.lines) for axes in drawn] == [frame != 5 for frame in range(frames)]
+    words = [axes.get_xlabel().partition(",")[0] for axes in drawn]
+    assert [own == "blank" for own in words] == [frame == 5 for frame in range(frames)]
+    shaded = [axes for axes in figure.axes if axes.patches]
+    assert len(shaded) == (2 if frames > 5 else 0)
     assert "doubtful" in figure.get_suptitle()
     figure.canvas.draw()

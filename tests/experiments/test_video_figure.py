@@ -34,3 +34,9 @@ def test_of_a_long_film_no_more_panels_are_kept_than_fit(steps):
         sheet.add(steps[k % 12])
     shown = [axes for axes in sheet.figure(ANGLES, "long").axes if axes.get_title()]
     assert 20 <= len(shown) <= 40
+
+
+def test_a_line_below_says_what_has_which_colour(steps):
+    figure = contact_sheet_of(steps).figure(ANGLES, "a walk")
+    drawn = "mask (blue), fitted outline (orange), skeleton (vermilion), where doubtful (purple)"
+    assert drawn in figure.get_supxlabel()

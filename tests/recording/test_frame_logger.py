@@ -67,3 +67,11 @@ def test_joints_have_names_and_connections(written, logged):
     labels = [point["label"] for point in described["class_description"]["keypoint_annotations"]]
     assert labels == list(names)
     assert len(described["class_description"]["keypoint_connections"]) == 1
+
+
+def test_bones_of_changing_colours_are_not_covered_by_connections_of_one(written, logged):
+    joints, colours = np.zeros((3, 2, 3)), [(9, 0, 0), (0, 9, 0), (0, 9, 0)]
+    path = written(lambda logger: logger.skeleton("/a", joints, [(0, 1)], "ab", colours, 0.1))
+    (((described,),),) = logged(path, "/a", "AnnotationContext:context", static=True)
+    assert not described["class_description"]["keypoint_connections"]
+    assert len(described["class_description"]["keypoint_annotations"]) == 2

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import rerun.blueprint as rrb
 
+from silpose.core.types import Array
 from silpose.recording import entity_paths, palette
 from silpose.recording.captions import coloured, in_words
 from silpose.recording.layout.views import (
@@ -30,6 +31,7 @@ def single_image_layout(
     shown: Sequence[str],
     frames_per_second: float,
     metric: str,
+    errors: Mapping[str, Array],
     window: Window | None = None,
     examples: bool = False,
 ) -> rrb.Blueprint:
@@ -42,6 +44,8 @@ def single_image_layout(
     frames_per_second : float
     metric : str
         Name of the errors.
+    errors : mapping of str to ndarray, shape (F,)
+        By method.
     window : tuple of float or None, default=None
         Part of the masks that is shown; None if there are no masks.
     examples : bool, default=False
@@ -57,7 +61,7 @@ def single_image_layout(
             [entity_paths.TRUE_HEADING, entity_paths.ESTIMATED_HEADING], TRUTH_AND_ESTIMATE
         ),
         heading_norm_view(),
-        errors_view(metric, shown, shown[0]),
+        errors_view(metric, errors, shown, shown[0]),
         row_shares=[3.4, 1, 0.7, 1],
     )
     columns = [estimate_input_view(window), estimate, texts_view(examples)]
@@ -73,9 +77,7 @@ def prediction_layout(frames_per_second: float, window: Window, judged: bool) ->
     )
     heading = headings_view([entity_paths.ESTIMATED_HEADING], {"estimated": palette.ESTIMATED})
     certainty = confidence_view() if judged else heading_norm_view()
-    estimate = rrb.Vertical(
-        bodies, state_view(), heading, certainty, row_shares=[3.4, 0.75, 1, 0.7]
-    )
+    estimate = rrb.Vertical(bodies, state_view(), heading, certainty, row_shares=[3.2, 1, 1, 0.8])
     inputs = estimate_input_view(window)
     return blueprint([inputs, estimate, texts_view()], [1.3, 1.7, 0.6], frames_per_second)
 

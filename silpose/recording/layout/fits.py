@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import rerun.blueprint as rrb
 
+from silpose.core.types import Array
 from silpose.recording import entity_paths, palette
 from silpose.recording.captions import coloured
 from silpose.recording.layout.views import (
@@ -22,7 +23,11 @@ from silpose.recording.layout.views import (
 
 
 def fitting_layout(
-    shown: Sequence[str], frames_per_second: float, metric: str, window: Window
+    shown: Sequence[str],
+    frames_per_second: float,
+    metric: str,
+    errors: Mapping[str, Array],
+    window: Window,
 ) -> rrb.Blueprint:
     """Lay out mask and fitted outline, the poses before and after, and one frame's iterations.
 
@@ -33,14 +38,18 @@ def fitting_layout(
     frames_per_second : float
     metric : str
         Name of the errors.
+    errors : mapping of str to ndarray, shape (F,)
+        By method.
     window : tuple of float
         Part of the masks that is shown.
     """
-    tabs = rrb.Tabs(_take(shown, metric, window), _iterations(window), active_tab=0)
+    tabs = rrb.Tabs(_take(shown, metric, errors, window), _iterations(window), active_tab=0)
     return blueprint([tabs, texts_view()], [2.5, 1.15], frames_per_second)
 
 
-def _take(shown: Sequence[str], metric: str, window: Window) -> rrb.Container:
+def _take(
+    shown: Sequence[str], metric: str, errors: Mapping[str, Array], window: Window
+) -> rrb.Container:
     """Lay out the take, on the timelines `frame` and `time`."""
     overlap = rrb.Spatial2DView(
         origin=entity_paths.OVERLAP,
@@ -61,7 +70,7 @@ def _take(shown: Sequence[str], metric: str, window: Window) -> rrb.Container:
     shares = [entity_paths.below(entity_paths.OVERLAP_SHARES, method) for method in shown]
     return rrb.Vertical(
         rrb.Horizontal(overlap, bodies, column_shares=[1, 1.6]),
-        errors_view(metric, shown),
+        errors_view(metric, errors, shown),
         series_view(f"overlap of mask and body: {coloured(colours)}", shares, UNIT_SPAN),
         row_shares=[3.2, 1, 1],
         name="the take",

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import rerun.blueprint as rrb
 
+from silpose.core.types import Array
 from silpose.recording import entity_paths, palette
 from silpose.recording.captions import coloured
 from silpose.recording.layout.views import (
@@ -30,6 +31,7 @@ def tracking_layout(
     methods: Sequence[str],
     frames_per_second: float,
     metric: str,
+    errors: Mapping[str, Array],
     masks: bool,
     window: Window | None = None,
 ) -> rrb.Blueprint:
@@ -42,6 +44,8 @@ def tracking_layout(
     frames_per_second : float
     metric : str
         Name of the errors.
+    errors : mapping of str to ndarray, shape (F,)
+        By method.
     masks : bool
         Whether masks are recorded.
     window : tuple of float, optional
@@ -56,26 +60,26 @@ def tracking_layout(
                 entity_paths.TRACK_NAMES,
                 *(f"{track}/skeleton" for track in tracks),
             ],
-            from_the_front(0.75 * len(methods) + 0.5),
+            from_the_front(0.55 * len(methods) + 0.6),
         ),
         state_view(),
         headings_view(
             [entity_paths.TRUE_HEADING, f"{tracks[-1]}/heading"],
             {"true": palette.TRUE, methods[-1]: palette.of_method(methods[-1], 0, 1)},
         ),
-        errors_view(metric, ("ridge", "tracker")),
-        row_shares=[3.2, 0.75, 1, 1],
+        errors_view(metric, errors, ("ridge", "tracker")),
+        row_shares=[3.2, 1, 1, 1],
     )
-    belief = bars_view(entity_paths.BELIEF, "tracking: belief, by heading in degrees")
+    belief = bars_view(entity_paths.BELIEF, "belief, by heading")
     seen = rrb.Vertical(*([mask_view(window=window)] if masks else []), belief)
     return blueprint([seen, estimates, texts_view()], [1, 2.6, 1.1], frames_per_second)
 
 
 def modes_layout(
     count: int,
-    shown: Sequence[str],
     frames_per_second: float,
     metric: str,
+    errors: Mapping[str, Array],
     masks: bool,
     window: Window | None = None,
 ) -> rrb.Blueprint:
@@ -85,11 +89,11 @@ def modes_layout(
     ----------
     count : int
         Number of modes.
-    shown : sequence of str
-        Methods whose errors are drawn.
     frames_per_second : float
     metric : str
         Name of the errors.
+    errors : mapping of str to ndarray, shape (F,)
+        By method.
     masks : bool
         Whether masks are recorded.
     window : tuple of float, optional
@@ -106,7 +110,7 @@ def modes_layout(
         ),
         series_view("probability of each mode", [f"{mode}/weight" for mode in modes], UNIT_SPAN),
         headings_view(headings, {"true": palette.TRUE} | dict([*colours.items()][:2])),
-        errors_view(metric, shown),
+        errors_view(metric, errors, list(errors)),
         row_shares=[2.9, 1, 1, 1.1],
     )
     if not masks:
@@ -132,7 +136,8 @@ def hypotheses_layout(
     """
     alone = _numbered(entity_paths.MODES, count)
     tracked = _numbered(entity_paths.HYPOTHESES, count)
-    colours = {str(k + 1): palette.one_of(k, count) for k in range(count)}
+    names = [palette.NAMES.get(palette.one_of(k, count), "") for k in range(count)]
+    colours = ", ".join(f"{k} {name}" for k, name in enumerate(names, 1))
     bodies = rrb.Horizontal(
         *(
             bodies_view(
@@ -148,12 +153,12 @@ def hypotheses_layout(
     )
     weights = rrb.Horizontal(
         series_view(
-            f"probability: {coloured(colours)}",
+            f"probability: {colours}",
             [f"{mode}/weight" for mode in alone],
             UNIT_SPAN,
         ),
         series_view(
-            f"probability: {coloured(colours)}",
+            f"probability: {colours}",
             [f"{mode}/weight" for mode in tracked],
             UNIT_SPAN,
         ),
@@ -176,7 +181,7 @@ def hypotheses_layout(
     if not masks:
         return blueprint([estimates, texts_view()], [2.6, 1], frames_per_second)
     mask = mask_view(window=window)
-    return blueprint([mask, estimates, texts_view()], [0.75, 2, 1.2], frames_per_second)
+    return blueprint([mask, estimates, texts_view()], [0.7, 2.1, 1.15], frames_per_second)
 
 
 def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:

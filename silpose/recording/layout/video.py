@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import rerun.blueprint as rrb
 
-from silpose.recording import entity_paths
+from silpose.recording import entity_paths, palette
+from silpose.recording.captions import coloured
 from silpose.recording.layout.views import (
     blueprint,
     bodies_view,
@@ -12,6 +13,12 @@ from silpose.recording.layout.views import (
     texts_view,
 )
 
+_DRAWN = {
+    "outline": palette.EDGE,
+    "skeleton": palette.ESTIMATED,
+    "where doubtful": palette.DOUBTFUL,
+}
+_SURE = {"overlap of mask and body": palette.ESTIMATED, "confidence": palette.NEUTRAL}
 _SO_FAR = rrb.VisibleTimeRanges(
     timeline="frame",
     start=rrb.TimeRangeBoundary.infinite(),
@@ -42,11 +49,11 @@ def video_layout(
             entity_paths.OVERLAID_SKELETON,
             entity_paths.CAPTION,
         ],
-        name="fitted outline (yellow) and skeleton (orange; red where it is doubtful)",
+        name=coloured(_DRAWN),
         visual_bounds=rrb.VisualBounds2D(x_range=[0, width], y_range=[0, height]),
     )
     bodies = bodies_view(
-        "pose on its path, and the fitted body; left side light, right side dark",
+        "pose on its path, fitted body; left side light",
         [entity_paths.FITTED_SKELETON, f"{entity_paths.FITTED_BODY}/**", entity_paths.PATH],
         rrb.EyeControls3D(
             kind=rrb.Eye3DKind.Orbital,
@@ -59,12 +66,15 @@ def video_layout(
     share = width / height
     above = rrb.Horizontal(picture, bodies, column_shares=[min(1.6, max(0.8, share)), 1])
     gait = [
-        series_view("hip flexion, degrees", _sides(entity_paths.LEG_ANGLES, "hip")),
-        series_view("knee flexion, degrees", _sides(entity_paths.LEG_ANGLES, "knee")),
-        series_view("gait phase, %", _sides(entity_paths.GAIT_PHASE), (0.0, 100.0)),
+        series_view(f"{title}: left side light", _sides(entity, joint), span)
+        for title, entity, joint, span in (
+            ("hip flexion, degrees", entity_paths.LEG_ANGLES, "hip", None),
+            ("knee flexion, degrees", entity_paths.LEG_ANGLES, "knee", None),
+            ("gait phase, %", entity_paths.GAIT_PHASE, "", (0.0, 105.0)),
+        )
     ]
     certainty = series_view(
-        "overlap of mask and body; confidence",
+        coloured(_SURE),
         [f"{entity_paths.OVERLAP_SHARES}/**", entity_paths.CONFIDENCE],
         (0.0, 1.05),
     )

@@ -9,6 +9,7 @@ import numpy as np
 import rerun as rr
 import rerun.blueprint as rrb
 
+from silpose.core.types import Array
 from silpose.recording import entity_paths, palette
 from silpose.recording.captions import coloured, in_words
 
@@ -113,9 +114,7 @@ def figure_view() -> rrb.Spatial2DView:
     return rrb.Spatial2DView(origin=entity_paths.FIGURE, name="figure")
 
 
-def mask_view(
-    name: str = "mask and estimated pose", window: Window | None = None
-) -> rrb.Spatial2DView:
+def mask_view(name: str = "mask and pose", window: Window | None = None) -> rrb.Spatial2DView:
     """Mask with its edge points, where there are any."""
     return rrb.Spatial2DView(
         origin=entity_paths.CAMERA,
@@ -174,14 +173,30 @@ def series_view(
 
 
 def errors_view(
-    metric: str, methods: Sequence[str], estimated: str | None = None
+    metric: str,
+    errors: Mapping[str, Array],
+    methods: Sequence[str],
+    estimated: str | None = None,
 ) -> rrb.TimeSeriesView:
     """Error of some methods over time; that of the estimate which is shown has its colour."""
     colours = {m: palette.of_method(m, k, len(methods)) for k, m in enumerate(methods)}
     if estimated is not None:
         colours[estimated] = palette.ESTIMATED
     entities = [entity_paths.below(entity_paths.ERROR, method) for method in methods]
-    return series_view(f"{in_words(metric)}: {coloured(colours)}", entities)
+    title = f"{in_words(metric)}: {coloured(colours)}"
+    return series_view(title, entities, span_of([errors[m] for m in methods if m in errors]))
+
+
+def span_of(errors: Sequence[Array]) -> tuple[float, float]:
+    """From 0 to a round number above all errors, so that an axis has two ticks at least.
+
+    The viewer writes powers of ten, and their multiples where these have room.
+    """
+    highest = max((float(np.nanmax(own)) for own in errors if np.isfinite(own).any()), default=0.0)
+    if highest <= 0:
+        return 0.0, 1.0
+    tick = 10.0 ** np.ceil(np.log10(highest) - 0.5)  # 1 up to 3.2, 10 up to 32
+    return 0.0, float(tick * np.ceil(highest / tick) * 1.02)
 
 
 def headings_view(contents: Sequence[str], colours: Mapping[str, palette.Colour]) -> rrb.View:

@@ -1,8 +1,9 @@
+import numpy as np
 import pytest
 
 from silpose.recording import Header
 from silpose.recording import entity_paths as entities
-from silpose.recording.layout.views import blueprint, errors_view, figure_view, texts_view
+from silpose.recording.layout.views import blueprint, errors_view, figure_view, span_of, texts_view
 from silpose.recording.stream import recording_stream
 
 
@@ -25,6 +26,17 @@ def test_influential_examples_stand_below_results_with_settings_behind_these():
 
 
 def test_titles_say_which_colour_is_what():
-    title = errors_view("mean_angular_error_deg", ["rvm", "nearest"], "rvm").name
+    title = errors_view("mean_angular_error_deg", {}, ["rvm", "nearest"], "rvm").name
     words = "relevance vectors (vermilion), nearest neighbour (green)"
     assert title == f"mean angular error, degrees: {words}"
+
+
+@pytest.mark.parametrize(
+    ("highest", "top"),
+    [(0.04, 0.1), (0.8, 1), (2.5, 3), (9.0, 10), (12.0, 20), (31.0, 40), (0.0, 1)],
+)
+def test_axes_of_errors_begin_at_0_and_have_a_tick_above_all(highest, top):
+    errors = [np.array([np.nan, highest / 2, highest]), np.array([np.nan])]
+    low, high = span_of(errors)
+    assert low == 0
+    assert top <= high < 1.05 * top
