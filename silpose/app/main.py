@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Sequence
 
 from silpose.app.commands import TOOLS, run_tool
+from silpose.app.conf_folder import groups
 from silpose.app.failures import INTERRUPTED, sentence
 from silpose.app.outputs import print_anywhere, stop_quietly
 from silpose.app.suggestions import nearest
@@ -46,6 +47,9 @@ def _run(arguments: Sequence[str]) -> None:
     elif verb in EXPERIMENT_VERBS:
         _run_hydra(overrides_of(verb, arguments[1:]))
     elif verb and "=" not in verb and not verb.startswith(("-", "+", "~")):
+        if verb in groups()["experiment"]:
+            rest = "".join(f" {argument}" for argument in arguments[1:])
+            raise InputError(f"'{verb}' is an experiment: silpose experiment={verb}{rest}")
         known = (*EXPERIMENT_VERBS, *TOOLS)
         raise InputError(f"there is no command '{verb}'{nearest(verb, known)}")
     elif {"-h", "--help"} & set(arguments):

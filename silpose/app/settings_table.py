@@ -98,8 +98,8 @@ def _table(group: str, rows: Sequence[Row]) -> Table:
     table = Table(title=title, title_justify="left", title_style="", box=None, pad_edge=False)
     table.add_column("setting", no_wrap=True)
     table.add_column("value", overflow="fold", max_width=28)
-    table.add_column("type", max_width=20)
-    table.add_column("description", ratio=1)
+    table.add_column("type", overflow="fold", max_width=20)
+    table.add_column("description", overflow="fold", ratio=1)
     for row in rows:
         table.add_row(*map(escape, row))
     table.add_row()
@@ -119,7 +119,9 @@ def _shown(value: Any) -> str:
 
 def _group_table(overrides: Sequence[str]) -> Table:
     chosen = choices(overrides)
-    table = Table("group", "choice", "others", box=None, pad_edge=False)
+    table = Table(box=None, pad_edge=False)
+    for title in ("group", "choice", "others"):
+        table.add_column(title, overflow="fold")
     for group, names in groups().items():
         others = [name for name in names if name != chosen[group]]
         table.add_row(group, chosen[group], ", ".join(others))

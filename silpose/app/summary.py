@@ -29,7 +29,7 @@ def summarise(run: FinishedRun) -> None:
         console.print(results(run, console.width))
         for words in explanations(run.metrics):
             console.print(f"[dim]{escape(words)}[/dim]", highlight=False)
-    if run.summary:
+    if run.summary and not run.report:  # which says it
         console.print(run.summary, markup=False, highlight=False, soft_wrap=True)
     if not animated(Console(stderr=True)):  # else each stage has a line that tells its seconds
         took = ", ".join(f"{stage} {s:.1f} s" for stage, s in run.seconds.items())
@@ -76,6 +76,8 @@ def _tables(first: str, ordered: Results, best: str | None, width: int) -> list[
             table.add_column(titles[k], justify="right", width=wide)
             spare -= wide - least[k]
         for method, *values in rows:
+            if tables and not any(values[k] for k in part):
+                continue  # the first table names all of them
             style = "bold" if method == best else ""
             table.add_row(escape(method), *(values[k] for k in part), style=style)
         tables.append(table)

@@ -1,21 +1,16 @@
 """How good estimated poses are: metrics, baselines, recovery after failures; and their gait.
 
 Takes true and estimated poses and gives numbers and rows for ``metrics.json`` and
-``results.csv``.
+``results.csv``. What loads much is imported on first use: tools need headlines alone.
 """
 
+from typing import TYPE_CHECKING
+
+from silpose.core.lazy_exports import lazy_exports
 from silpose.evaluation.baselines import BASELINES, baselines, oracle
 from silpose.evaluation.coverage import angles_covered, coverage_by_limb, joints_covered
-from silpose.evaluation.density_baselines import (
-    DensityBaseline,
-    GaussianMixtureRegression,
-    SingleGaussian,
-    choose_density_baseline,
-    neighbour_modes,
-)
 from silpose.evaluation.error_breakdown import TWIST_ANGLES, error_rows, twist_errors
 from silpose.evaluation.explanations import explanations
-from silpose.evaluation.gait import GaitReport, Walk, gait_report
 from silpose.evaluation.heading import (
     HEADING_LIMIT_DEG,
     heading_confidence,
@@ -25,14 +20,39 @@ from silpose.evaluation.heading import (
 from silpose.evaluation.headlines import HEADLINES, best_first, headlines
 from silpose.evaluation.metrics import METRICS, joint_distances, measure
 from silpose.evaluation.pose_differences import KINDS, depth_mirrored, differences, kinds_of
-from silpose.evaluation.recovery import (
-    FailureSequence,
-    FailureTrial,
-    blank_trials,
-    cut_trials,
-)
 from silpose.evaluation.right_poses import HEADING_DEG, JOINTS_MM, right_poses
 from silpose.evaluation.thigh_swing import thigh_swing
+
+if TYPE_CHECKING:
+    from silpose.evaluation.density_baselines import (
+        DensityBaseline,
+        GaussianMixtureRegression,
+        SingleGaussian,
+        choose_density_baseline,
+        neighbour_modes,
+    )
+    from silpose.evaluation.gait import GaitReport, Walk, gait_report
+    from silpose.evaluation.recovery import (
+        FailureSequence,
+        FailureTrial,
+        blank_trials,
+        cut_trials,
+    )
+
+__getattr__ = lazy_exports(
+    __name__,
+    {
+        "density_baselines": (
+            "DensityBaseline",
+            "GaussianMixtureRegression",
+            "SingleGaussian",
+            "choose_density_baseline",
+            "neighbour_modes",
+        ),
+        "gait": ("GaitReport", "Walk", "gait_report"),
+        "recovery": ("FailureSequence", "FailureTrial", "blank_trials", "cut_trials"),
+    },
+)
 
 __all__ = [
     "BASELINES",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from sklearn.neighbors import KNeighborsRegressor
 
 from silpose.core.pose_space import PoseSpace
 from silpose.core.types import Array
@@ -32,6 +31,8 @@ def baselines(
         Hellinger distance; ``knn``, the mean of the five nearest weighted by inverse distance;
         ``oracle``, the training pose nearest under the reported metric itself.
     """
+    from sklearn.neighbors import KNeighborsRegressor  # loads much, which tools do not need
+
     roots_train, roots = np.sqrt(z_train), np.sqrt(z)
     nearest = KNeighborsRegressor(1).fit(roots_train, x_train)
     few = KNeighborsRegressor(min(5, len(x_train)), weights="distance").fit(roots_train, x_train)

@@ -39,18 +39,19 @@ def fitting_robustness_figure(
     grid = figure.add_gridspec(2, 1, height_ratios=[1.3, 1])
     _plot_losses(figure.add_subfigure(grid[0]).subplots(), lost)
     below = figure.add_subfigure(grid[1])
-    for axes, (mask, silhouette) in zip(
-        np.ravel(below.subplots(1, len(shown), squeeze=False)), shown.values(), strict=True
+    for axes, (kind, (mask, silhouette)) in zip(
+        np.ravel(below.subplots(1, len(shown), squeeze=False)), shown.items(), strict=True
     ):
         draw_overlap(axes, mask, silhouette)
         rows, columns = np.nonzero(mask | silhouette)
         axes.set(xlim=(columns.min() - 4, columns.max() + 4), ylim=(rows.max() + 4, rows.min() - 4))
         without_ink(axes)
+        axes.set_title(in_words(kind), loc="center", fontsize=9)
     headline(
         figure,
         "Does a body fitted to the contour survive what real masks suffer from?",
         f"Bars: share of its gain over the mean pose that a method loses, strength {strength:g}. "
-        "Below: mask and fitted body, grey where both are, coloured where one is alone",
+        "Below: both mask and fitted body (grey), mask only (blue), body only (vermilion)",
     )
     return figure
 
@@ -65,7 +66,7 @@ def _plot_losses(axes: Axes, lost: Mapping[str, Mapping[str, float]]) -> None:
             places + (k - 1) * _WIDTH, 100 * np.array(shares), _WIDTH, color=colour,
             label=in_words(method),
         )  # fmt: skip
-        axes.bar_label(bars, fmt="%.0f", fontsize=8)
+        axes.bar_label(bars, labels=[f"{round(100 * share)}" for share in shares], fontsize=8)
     axes.axvline(len(kinds) - 0.5, color=NEUTRAL, lw=0.8)
     axes.set_xticks(places, [*(in_words(kind).replace(" ", "\n") for kind in kinds), "mean"])
     axes.set(ylabel="gain lost, %", xlim=(-0.6, len(kinds) + 0.6))

@@ -58,7 +58,8 @@ def masks(components: Components, *, shown: int = 24, takes: int = 100) -> Resul
         rows=[row for take in seen for row in take.rows()],
         figure=masks_figure(*pictures, shown),
         recording=Recording("\n\n".join([count, *map(facts_in_markdown, facts)]), record),
-        summary=f"{told}\n\n{summary}" if summary else told,
+        summary=count,
+        report=f"{told}\n\n{summary}" if summary else told,
     )
 
 

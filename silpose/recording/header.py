@@ -112,7 +112,7 @@ class Header:
 
 def results_table(results: Results, of: str = "method") -> str:
     """Headlines as a markdown table, a row of each method or the like, the best first and bold."""
-    from silpose.evaluation import best_first, headlines  # loads scikit-learn, which tools do not
+    from silpose.evaluation import best_first, headlines
 
     ordered, best = best_first(results)
     (_, *titles), rows = headlines(ordered)

@@ -112,6 +112,7 @@ WRONG = {
     "seed=x": "'seed' must be an integer, not 'x'",
     "nonsense": "there is no command 'nonsense'; there are catalog, compare",
     "predct masks": "there is no command 'predct'; did you mean 'predict'?",
+    "tracking seed=1": "'tracking' is an experiment: silpose experiment=tracking seed=1",
     "seed=1 nonsense": "cannot read 'nonsense'",
     "n_jobs=0": "n_jobs must be an integer other than 0",
     "motion=bvh motion.root=x motion.rot=y": "did you mean 'motion.root'?",

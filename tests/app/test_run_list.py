@@ -1,4 +1,7 @@
+import json
 import shutil
+import subprocess
+import sys
 
 import pytest
 
@@ -38,4 +41,43 @@ def test_nothing_is_cut_in_a_narrow_terminal(finished, tmp_path, capsys, monkeyp
     print_runs(tmp_path / "runs")
     told = capsys.readouterr().out
     assert "…" not in told
+    assert max(map(len, told.splitlines())) <= columns
+    assert CATALOGUE["single_image"].question[:20] in told
     assert "runs/single_image/001" in told and finished.dataset in told
+
+
+@pytest.mark.parametrize(
+    ("metrics", "summary", "said"),
+    [
+        (
+            {"arms": {"part_error": 3.0}, "legs": {"part_error": 4.0}},
+            "",
+            "none: no error in common",
+        ),
+        ({}, "12 masks\n2 blank", "12 masks"),
+        ({"all": {"rank_correlation": 0.5}}, "", "all 0.50 rank correlation"),
+    ],
+)
+def test_of_a_run_without_a_best_method_it_says_what_or_why(
+    finished, tmp_path, capsys, monkeypatch, metrics, summary, said
+):
+    monkeypatch.setenv("COLUMNS", "120")
+    monkeypatch.chdir(tmp_path)
+    folder = tmp_path / "runs" / "single_image" / "001"
+    shutil.copytree(finished.folder, folder)
+    content = json.loads((folder / "metrics.json").read_text())
+    content |= {"metrics": metrics, "summary": summary}
+    (folder / "metrics.json").write_text(json.dumps(content))
+    print_runs(tmp_path / "runs")
+    told = capsys.readouterr().out
+    assert said in told and "2 blank" not in told
+
+
+def test_runs_are_told_without_loading_what_experiments_need(finished):
+    words = (
+        "import sys; from pathlib import Path; from silpose.app.run_list import print_runs;"
+        f"print_runs(Path({str(finished.folder.parent)!r}));"
+        "sys.exit(len({'sklearn', 'numba', 'rerun', 'matplotlib'} & {*sys.modules}))"
+    )
+    told = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True)
+    assert told.returncode == 0, told.stderr

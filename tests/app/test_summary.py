@@ -1,3 +1,4 @@
+import shutil
 from dataclasses import replace
 
 import pytest
@@ -70,3 +71,22 @@ def test_a_report_is_printed_as_it_is(tmp_path, capsys):
     told = capsys.readouterr().out
     assert "joints  [root] Hips\n" + "word " * 59 in told
     assert "errors on unseen takes" not in told
+
+
+def test_a_further_table_leaves_out_rows_that_have_nothing_in_it(tmp_path):
+    both = {"mean_angular_error_deg": 4.5, "heading_median_deg": 9.0}
+    methods = {"tracker_given_start": both | {"kept": 0.18}, "mean_pose": both}
+    run = FinishedRun(tmp_path, "tracking", "data", methods, {}, "")
+    first, second = results(run, 42).renderables
+    assert [first.row_count, second.row_count] == [2, 1]
+
+
+def test_a_report_stands_for_the_summary(finished, tmp_path, capsys):
+    shutil.copytree(finished.folder, tmp_path / "run")
+    run = replace(finished, folder=tmp_path / "run", metrics={}, summary="3 masks")
+    summarise(run)
+    assert "3 masks" in capsys.readouterr().out
+    (tmp_path / "run" / "report.txt").write_text("masks 3 of one size")
+    summarise(run)
+    told = capsys.readouterr().out
+    assert "masks 3 of one size" in told and "3 masks" not in told

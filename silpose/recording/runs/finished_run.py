@@ -112,11 +112,26 @@ class FinishedRun:
                 return line.removeprefix("show: ")
         return list(self.metrics)[-1] if self.metrics else ""
 
+    @property
+    def best(self) -> str | None:
+        """The method of the least error; None where the methods have no error in common."""
+        from silpose.evaluation import best_first
+
+        ordered, best = best_first(self.metrics)
+        return best or (next(iter(ordered)) if len(ordered) == 1 else None)
+
     @cached_property
     def _recorded(self) -> RecordedPoses:
         from silpose.recording.read import read_recording  # loads Rerun
 
         return read_recording(self.recording)
+
+
+def found_in_words(run: FinishedRun) -> str:
+    """Say in one line what a run without a best method found, or why it has none."""
+    if run.summary or not run.metrics:
+        return next(iter(run.summary.splitlines()), "")
+    return "none: no error in common"
 
 
 def load_run(folder: str | Path) -> FinishedRun:

@@ -11,7 +11,7 @@ from urllib.parse import quote
 from silpose.core.types import Metrics
 from silpose.recording.named_settings import typed
 from silpose.recording.page_style import PAGE_HEAD, PAGE_STYLE
-from silpose.recording.runs.finished_run import FinishedRun
+from silpose.recording.runs.finished_run import FinishedRun, found_in_words
 from silpose.recording.runs.runs_below import find_runs
 from silpose.recording.runs.setting_differences import differing, parsed
 from silpose.recording.runs.sweep_folder import FIGURE, SWEEP
@@ -88,15 +88,15 @@ def _table(
     viewed: Callable[[str], str],
     names: Iterator[str],
 ) -> str:
-    """One row a run: headlines of the method that it shows, above those of the mean pose."""
-    from silpose.evaluation import headlines  # loads scikit-learn: only once there is a run
+    """One row a run: headlines of its best method, above those of the mean pose."""
+    from silpose.evaluation import headlines
 
     titles, values = headlines(
         {f"{k} {method}": own for k, run in enumerate(runs) for method, own in _shown(run).items()}
     )
     by_name = {row[0]: row[1:] for row in values}
     settings = differing([parsed(run.config) for run in runs])
-    words = ["figure", "run", "data", "differs in", "shown"]
+    words = ["figure", "run", "data", "differs in", "best"]
     if not settings[0]:
         words.remove("differs in")
     head = "".join(f'<th class="word">{word}</th>' for word in words)
@@ -109,7 +109,7 @@ def _table(
             "run": _link(run, root, viewed),
             "data": escape(run.dataset),
             "differs in": _in_words(settings[k]),
-            "shown": _above(methods),
+            "best": _above(methods) or escape(found_in_words(run)),
         }
         row = "".join(_cell(word, cells[word], _CLASSES.get(word, "word")) for word in words)
         numbers = zip(*(by_name[f"{k} {method}"] for method in methods), strict=True)
@@ -124,7 +124,7 @@ def _cell(title: str, content: str, kind: str = "") -> str:
 
 
 def _shown(run: FinishedRun) -> Metrics:
-    return {m: run.metrics[m] for m in (run.shown, "mean_pose") if m in run.metrics}
+    return {m: run.metrics[m] for m in (run.best, "mean_pose") if run.best and m in run.metrics}
 
 
 def _above(words: Sequence[str]) -> str:

@@ -1,3 +1,4 @@
+import json
 import shutil
 
 import pytest
@@ -19,7 +20,7 @@ def root(finished, tmp_path):
 
 def test_runs_are_listed_with_their_headlines(root, finished):
     page = index_page(root, lambda path: f"view:{path}")
-    for method in ("rvm_20", "mean_pose"):
+    for method in (finished.best, "mean_pose"):
         assert page.count(f"{finished.metrics[method]['mean_angular_error_deg']:.2f}°") == 2
     assert "single_image/killed was not finished" in page
     assert page.count("<button popovertarget") == 4  # a small and a large figure of each run
@@ -68,3 +69,13 @@ def test_names_are_escaped(root):
 
 def test_an_empty_folder_has_no_runs(tmp_path):
     assert "no runs here yet" in index_page(tmp_path, str)
+
+
+def test_where_no_error_is_common_no_method_is_shown(root):
+    file = root / "single_image" / "whole" / "metrics.json"
+    content = json.loads(file.read_text())
+    content["metrics"] = {"arms": {"part_error": 3.21}, "legs": {"part_error": 4.32}}
+    file.write_text(json.dumps(content))
+    page = index_page(root, str)
+    assert "none: no error in common" in page
+    assert "3.21" not in page and "4.32" not in page
