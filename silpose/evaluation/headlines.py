@@ -36,7 +36,7 @@ HEADLINES: Mapping[str, tuple[str, str]] = {
     "within_20deg": ("heading within 20°", "{:.0%}"),
     "back_after_blank": ("back after blank", "{:.0%}"),
     "back_after_cut": ("after cut", "{:.0%}"),
-    "whole_error": ("whole", "{:.2f}"),
+    "whole_error": ("whole masks", "{:.2f}"),
     "gain_lost": ("gain lost", "{:.0%}"),
     "rank_correlation": ("rank correlation", "{:.2f}"),
     "rank_correlation_joints": ("with joints", "{:.2f}"),

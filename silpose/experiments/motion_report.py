@@ -60,6 +60,7 @@ def motion_report(components: Components, *, shown: int = 12) -> Result:
         recording=Recording(f"Shown: `{first}`\n\n{told}", record),
         tables={"takes.csv": csv_text(report_table(reports, refused))},
         report=text,
+        summary=f"{len(takes)} of {len(takes) + len(refused)} files understood",
     )
 
 

@@ -33,6 +33,7 @@ def test_each_file_is_in_the_report_with_what_was_understood(report):
     text = report.result.report
     assert text == (report.folder / "report.txt").read_text().removesuffix("\n")
     assert "4 files, 3 understood" in text
+    assert report.result.summary == "3 of 4 files understood"
     assert "walk0.bvh (BVH) and 1 more\n" in text and "walk2.bvh (BVH)\n" in text
     assert "elbow B17 / B18 (by place)" in text
     assert "refused     broken.bvh: " in text

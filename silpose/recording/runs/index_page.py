@@ -96,7 +96,8 @@ def _table(
     )
     by_name = {row[0]: row[1:] for row in values}
     settings = differing([parsed(run.config) for run in runs])
-    words = ["figure", "run", "data", "differs in", "best"]
+    last = "best" if any(run.metrics for run in runs) else "found"
+    words = ["figure", "run", "data", "differs in", last]
     if not settings[0]:
         words.remove("differs in")
     head = "".join(f'<th class="word">{word}</th>' for word in words)
@@ -109,7 +110,7 @@ def _table(
             "run": _link(run, root, viewed),
             "data": escape(run.dataset),
             "differs in": _in_words(settings[k]),
-            "best": _above(methods) or escape(found_in_words(run)),
+            last: _above(methods) or escape(found_in_words(run)),
         }
         row = "".join(_cell(word, cells[word], _CLASSES.get(word, "word")) for word in words)
         numbers = zip(*(by_name[f"{k} {method}"] for method in methods), strict=True)

@@ -79,3 +79,7 @@ def test_where_no_error_is_common_no_method_is_shown(root):
     page = index_page(root, str)
     assert "none: no error in common" in page
     assert "3.21" not in page and "4.32" not in page
+    for file in root.rglob("metrics.json"):
+        file.write_text(json.dumps(content | {"metrics": {}, "summary": "12 masks"}))
+    page = index_page(root, str)
+    assert 'data-title="found">12 masks<' in page and ">best<" not in page
