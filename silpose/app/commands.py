@@ -74,7 +74,7 @@ def _compare_options(verb: argparse.ArgumentParser) -> None:
 
 
 def _compare(given: argparse.Namespace) -> None:
-    from silpose.recording import compare, load_run
+    from silpose.recording import load_run
 
     runs = [load_run(folder) for folder in given.runs]
     names = [run.folder.name for run in runs]
@@ -82,6 +82,8 @@ def _compare(given: argparse.Namespace) -> None:
         names = [names[0], "to", names[-1]]
     output = given.output or Path(f"{runs[0].experiment}_{'_'.join(names)}.rrd")
     with stage_lines(), stage("comparing"):
+        from silpose.recording import compare  # loads Rerun, which takes a second or more
+
         compare(runs, output, given.method)
     _say_how_to_open(output)
 

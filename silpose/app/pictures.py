@@ -23,12 +23,12 @@ def picture_options(verb: argparse.ArgumentParser) -> None:
 
 def paint_picture(given: argparse.Namespace) -> None:
     """Write a picture, and say where it is."""
-    from silpose.recording import picture
-
     _at_least_one("width", given.width)
     recording = recording_of(given.run)
     output = given.output or _named(recording, f"frame_{given.frame}", given.view, ".png")
     with stage_lines(), stage("painting"):
+        from silpose.recording import picture  # loads Rerun, which takes a second or more
+
         picture(recording, given.frame, output, given.view, given.width)
     print(f"Wrote {shorten_path(output)}")
 
@@ -49,23 +49,23 @@ def film_options(verb: argparse.ArgumentParser) -> None:
 
 def paint_film(given: argparse.Namespace) -> None:
     """Write a film, and say where it is."""
-    from silpose.recording import film, frames_of
-
     for name in ("width", "every"):
         _at_least_one(name, getattr(given, name))
     if given.rate <= 0:
         raise InputError(f"--rate must be positive, not {given.rate:g}")
     recording = recording_of(given.run)
-    last = given.last
-    if last is None:
-        last = min(given.first + _LONGEST - 1, max(frames_of(recording), default=given.first))
-        last = max(last, given.first)  # a first frame that is not there is named as such
-    if last < given.first:
-        raise InputError(f"--last {last} comes before --first {given.first}")
-    frames = range(given.first, last + 1, given.every)
-    output = given.output or _named(recording, f"{given.first}-{last}", given.view, ".gif")
     rate = given.rate / given.every
     with stage_lines(), stage("painting"):
+        from silpose.recording import film, frames_of  # as above
+
+        last = given.last
+        if last is None:
+            last = min(given.first + _LONGEST - 1, max(frames_of(recording), default=given.first))
+            last = max(last, given.first)  # a first frame that is not there is named as such
+        if last < given.first:
+            raise InputError(f"--last {last} comes before --first {given.first}")
+        frames = range(given.first, last + 1, given.every)
+        output = given.output or _named(recording, f"{given.first}-{last}", given.view, ".gif")
         film(recording, frames, output, given.view, given.width, rate, given.plain)
     print(f"Wrote {shorten_path(output)}: {len(frames)} frames")
 

@@ -30,7 +30,10 @@ _STYLE = (
     + """
 body { max-width: 62em; } svg { width: 100%; height: auto; }
 th:first-child, td:first-child { text-align: left; }
-@media (max-width: 600px) { th, td { padding: .3em; } }
+.wide { overflow-x: auto; }
+@media screen and (max-width: 600px) {
+  th, td { padding: .3em; } td + td { white-space: nowrap; } .wide svg { width: 44em; }
+}
 """
 )
 
@@ -84,7 +87,8 @@ def gait_page(report: GaitReport, title: str = "Gait") -> str:
         f'<!doctype html><html lang="en">{PAGE_HEAD}<title>{escape(title)}</title>'
         f"<style>{_STYLE}</style>"
         f"<h1>{escape(title)}</h1><p>{way[report.direction]}: {counted} strides.</p>"
-        f"<ul>{notes}</ul>{_table(report)}{_svg(_figure(report))}"
+        f"<ul>{notes}</ul>{_table(report)}"
+        f'<div class="wide" tabindex="0">{_svg(_figure(report))}</div>'
         '<p class="dim">Mean and standard deviation over the strides. Symmetry is the difference '
         "of left and right over their mean, positive if the left is larger. Angles are those in "
         "the plane of walking; the gait cycle begins with the foot's strike.</p></html>\n"
@@ -148,7 +152,8 @@ def _table(report: GaitReport) -> str:
         rows.append("<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
     reasons = dict.fromkeys(p.reason for p in report.parameters if p.reason)
     missing = "".join(f"<p>No value: {escape(reason)}.</p>" for reason in reasons)
-    return f"<table><tr>{head}</tr>{''.join(rows)}</table>{missing}"
+    table = f"<table><tr>{head}</tr>{''.join(rows)}</table>"
+    return f'<div class="wide" tabindex="0">{table}</div>{missing}'
 
 
 @styled

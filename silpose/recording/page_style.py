@@ -24,4 +24,6 @@ th {{ font-weight: normal; color: var(--dim); }}
 th, td {{ text-align: right; padding: .3em .6em; font-variant-numeric: tabular-nums; }}
 td {{ border-top: 1px solid var(--line); }}
 .dim {{ color: var(--dim); }}
+@media print {{ body {{ margin: 0; }}
+  tr, figure, svg {{ break-inside: avoid; }} h1, h2, h2 + p, th {{ break-after: avoid; }} }}
 """

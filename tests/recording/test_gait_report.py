@@ -71,3 +71,10 @@ def test_the_page_is_always_the_same(report):
 def test_where_nothing_can_be_written(report, read_only):
     with pytest.raises(InputError, match="cannot write"):
         write_gait(report, read_only)
+
+
+def test_on_phones_what_is_wide_scrolls_by_itself(report):
+    page = gait_page(report)
+    assert page.count('<div class="wide"') == 2
+    assert '<div class="wide" tabindex="0"><table>' in page
+    assert '<div class="wide" tabindex="0"><svg' in page

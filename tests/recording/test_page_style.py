@@ -6,3 +6,8 @@ def test_pages_fit_phones_and_both_themes():
     assert "width=device-width" in PAGE_HEAD
     assert "prefers-color-scheme: dark" in PAGE_STYLE
     assert palette.hexed(palette.TRUE) in PAGE_STYLE
+
+
+def test_rows_and_figures_are_printed_on_one_sheet():
+    printed = PAGE_STYLE[PAGE_STYLE.index("@media print") :]
+    assert "tr, figure, svg { break-inside: avoid; }" in printed
