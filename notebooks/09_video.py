@@ -17,20 +17,17 @@
 # first line; without one, a walker is rendered before a wall.
 
 # %%
-import os
-
 import cv2
 import numpy as np
 
 film = None  # such as "walk.mp4"
 
-fast = bool(os.environ.get("SILPOSE_FAST"))
 if film is None:
     from silpose.dataset import render_take
     from silpose.motion import Straight, WalkerModel
     from silpose.silhouette import Body, Camera
 
-    film, size, rate = "rendered.mp4", *(((320, 176), 15) if fast else ((640, 352), 30))
+    film, size, rate = "rendered.mp4", (640, 352), 30
     rng = np.random.default_rng(3)
     walk = WalkerModel.load().sample(rng, 0.5).walk(Straight(90.0), 4.2, rate, rng)
     camera = Camera(focal_length=1.4, elevation=3, width=size[0], height=size[1], follow=False)
@@ -51,13 +48,15 @@ if film is None:
 # %%
 import matplotlib.pyplot as plt
 
+from silpose.recording.figure_style import STYLE
 from silpose.silhouette.video import VideoMasks
 
+plt.style.use(STYLE)
 frames = list(VideoMasks(film))
 _, row = plt.subplots(1, 4, figsize=(12, 2))
 for axes, k in zip(row, np.linspace(5, len(frames) - 6, 4).astype(int), strict=True):
     axes.imshow(frames[k].picture)
-    axes.contour(frames[k].mask, [0.5], colors="yellow")
+    axes.contour(frames[k].mask, [0.5], colors="C2")
     axes.set_title(f"{frames[k].time:.1f} s: {frames[k].state}", fontsize=9)
     axes.axis("off")
 plt.show()
@@ -70,21 +69,9 @@ plt.show()
 # %%
 import silpose
 
-settings = ["experiment=video", f"silhouette.source={film}", "recording.name=notebook"]
-if fast:  # a model of a few seconds
-    settings += [
-        "motion.seconds=3",
-        "motion.test_seconds=3",
-        "silhouette.scenes.frames=200",
-        "silhouette.degradation.train=[none]",
-        "silhouette.camera.width=96",
-        "silhouette.camera.height=96",
-        "descriptor.codebook_size=40",
-        "fitting.starts=1",
-        "fitting.iterations=6",
-        "cache=models",
-    ]
-run = silpose.run_experiment(settings)
+run = silpose.run_experiment(
+    ["experiment=video", f"silhouette.source={film}", "recording.name=notebook"]
+)
 print(run.summary)
 
 # %%

@@ -15,7 +15,12 @@ from silpose.recording.viewer.process import free_port
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("*.py"))
 
-SECONDS = {"04_tracking": 8, "06_compare_runs": 2, "08_fitting": 3}  # of each take, else 4
+SECONDS = {
+    "04_tracking": 8,
+    "06_compare_runs": 2,
+    "08_fitting": 3,
+    "09_video": 3,
+}  # of each take, else 4
 SHORT = """
 import silpose.motion
 short = {{"seconds": {seconds}, "test_seconds": {seconds}}}
@@ -23,15 +28,29 @@ def short_takes(takes=silpose.motion.WalkerTakes, **given):
     return takes(**given | short)
 def short_run(settings, run=silpose.run_experiment):
     walkers = not any(setting.startswith("motion=") for setting in settings)
-    return run([*settings, *(f"motion.{{k}}={{v}}" for k, v in short.items() if walkers)])
+    more = {small_model} if "experiment=video" in settings else []
+    return run([*settings, *more, *(f"motion.{{k}}={{v}}" for k, v in short.items() if walkers)])
 silpose.motion.WalkerTakes, silpose.run_experiment = short_takes, short_run
 """
+SMALL_MODEL = [
+    "silhouette.scenes.frames=200",
+    "silhouette.degradation.train=[none]",
+    "silhouette.camera.width=96",
+    "silhouette.camera.height=96",
+    "descriptor.codebook_size=40",
+    "fitting.starts=1",
+    "fitting.iterations=6",
+    "cache=models",
+]
+LARGE, SMALL = "(640, 352), 30", "(320, 176), 15"  # size and rate of the film that is rendered
 
 
 def short_notebook(path):
-    """Read a notebook, and let it run on takes of a few seconds."""
+    """Read a notebook, and let it run on takes of a few seconds, films in small pictures."""
     notebook = jupytext.read(path)
-    code = SHORT.format(seconds=SECONDS.get(path.stem, 4))
+    for cell in notebook.cells:
+        cell.source = cell.source.replace(LARGE, SMALL)
+    code = SHORT.format(seconds=SECONDS.get(path.stem, 4), small_model=SMALL_MODEL)
     notebook.cells.insert(0, nbformat.v4.new_code_cell(code))
     return notebook
 

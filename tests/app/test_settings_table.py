@@ -46,3 +46,11 @@ def test_names_are_whole_in_a_narrow_terminal(capsys):
 def test_a_misspelt_group_is_named():
     with pytest.raises(InputError, match=r"no group 'regresion'; did you mean 'regression'\?"):
         print_settings(["regresion"])
+
+
+@pytest.mark.parametrize("columns", [60, 40])
+def test_nothing_is_cut_in_a_narrow_terminal(capsys, monkeypatch, columns):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    print_settings()
+    print_settings(["regression.basis"])
+    assert "…" not in capsys.readouterr().out
