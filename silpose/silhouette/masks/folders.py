@@ -11,6 +11,7 @@ from silpose.core.errors import InputError
 from silpose.silhouette.masks.image_files import IMAGES
 from silpose.silhouette.masks.natural_order import (
     in_natural_order,
+    kinds_of_names,
     takes_among,
     without_numbers,
 )
@@ -119,8 +120,8 @@ def _images(folder: Path) -> Chosen:
 def _groups(files: Sequence[Path]) -> dict[str, list[Path]]:
     """Group files by what their names have in common beside numbers, and copies by suffix."""
     groups: dict[str, list[Path]] = {}
-    for file in files:
-        groups.setdefault(without_numbers(file.stem), []).append(file)
+    for name, file in zip(kinds_of_names([file.stem for file in files]), files, strict=True):
+        groups.setdefault(name, []).append(file)
     if len(groups) > _MOST_KINDS or not any("#" in name for name in groups):
         groups = {"": list(files)}  # names of letters and digits at random, or without numbers
     apart: dict[str, list[Path]] = {}
@@ -167,7 +168,7 @@ def _takes(folder: Path, files: Sequence[Path]) -> tuple[str, ...]:
 
 def _no_order(folder: Path, files: Sequence[Path]) -> tuple[str, ...]:
     """Doubt the order of files whose names have little in common beside numbers."""
-    if len({without_numbers(file.stem) for file in files}) <= _MOST_KINDS:
+    if len(set(kinds_of_names([file.stem for file in files]))) <= _MOST_KINDS:
         return ()
     return (
         f"the names in '{folder}' tell no order in time: they are read from '{files[0].name}' to "

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 _NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
 _LAST_COUNT = re.compile(r"(.*\d.*?)(?<!\d)(\d+)(\D*)")  # behind another number
+_SIGNED = re.compile(r"(.*?)(-?)(\d+(?:\.\d+)?)(\D*)")  # the last number, and a sign
 _LEAST_STRETCH = 3  # names that count up, at least, to be a take
 
 
@@ -15,7 +16,8 @@ def in_natural_order(names: Sequence[str]) -> list[int]:
     """Order names by their numbers, 2 before 10 and 0.9 before 1.
 
     What follows a dot are decimals (0.25 before 0.3), unless the names count there (1.9 before
-    1.10): decimals of different lengths do not end in zero.
+    1.10): decimals of different lengths do not end in zero. Negative numbers come first (t-2
+    before t-1 and t0).
 
     Parameters
     ----------
@@ -28,13 +30,23 @@ def in_natural_order(names: Sequence[str]) -> list[int]:
         Indices of the names.
     """
     counted = _counts_after_dots(names)
-    keys = [_key(name, counted) for name in names]
+    below = _below_zero(names)
+    keys = [_key(name, counted, sign) for name, sign in zip(names, below, strict=True)]
     return sorted(range(len(names)), key=keys.__getitem__)
 
 
 def without_numbers(name: str) -> str:
     """Replace the numbers in a name: what is the same for all frames of a take."""
     return _NUMBER.sub("#", name)
+
+
+def kinds_of_names(names: Sequence[str]) -> list[str]:
+    """Replace the numbers in names, and the signs of those that count from below zero."""
+    below = _below_zero(names)
+    return [
+        without_numbers(_without_sign(name) if sign else name)
+        for name, sign in zip(names, below, strict=True)
+    ]
 
 
 def takes_among(names: Sequence[str]) -> list[int]:
@@ -63,18 +75,36 @@ def takes_among(names: Sequence[str]) -> list[int]:
     return starts if len(starts) > 1 and same and enough else []
 
 
+def _below_zero(names: Sequence[str]) -> list[bool]:
+    """Tell a sign from a hyphen: among names that are alike, there is a zero without one only."""
+    found = [_SIGNED.fullmatch(name) for name in names]
+    zeros = {(m[1], m[2], m[4]) for m in found if m and not float(m[3])}
+    return [
+        m is not None and bool(m[2]) and (m[1], "", m[4]) in zeros and (m[1], "-", m[4]) not in zeros
+        for m in found
+    ]
+
+
+def _without_sign(name: str) -> str:
+    match = _SIGNED.fullmatch(name)
+    return name if match is None else match[1] + match[3] + match[4]
+
+
 def _counts_after_dots(names: Sequence[str]) -> bool:
     decimals = [n.split(".")[1] for name in names for n in _NUMBER.findall(name) if "." in n]
     lengths = {len(digits) for digits in decimals}
     return len(lengths) > 1 and any(digits.endswith("0") for digits in decimals)
 
 
-def _key(name: str, counted: bool) -> list[tuple[str, float, float, str]]:
+def _key(name: str, counted: bool, below_zero: bool) -> list[tuple[str, float, float, str]]:
     """Text and numbers in turn: each text, then the number behind it."""
-    parts = _NUMBER.split(name)
+    parts = _NUMBER.split(_without_sign(name) if below_zero else name)
     key = []
     for text, number in zip(parts[::2], [*parts[1::2], ""], strict=True):
         whole, _, decimals = number.partition(".")
         after = float(decimals or -1) if counted else float(f"0.{decimals or 0}")
         key.append((text.casefold(), float(whole or -1), after, number))
+    if below_zero:
+        text, whole_number, after, number = key[-2]
+        key[-2] = (text, -whole_number, -after, number)
     return [*key, (name, 0.0, 0.0, "")]

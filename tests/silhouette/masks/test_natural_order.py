@@ -2,7 +2,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from silpose.silhouette.masks.natural_order import in_natural_order, takes_among, without_numbers
+from silpose.silhouette.masks.natural_order import (
+    in_natural_order,
+    kinds_of_names,
+    takes_among,
+    without_numbers,
+)
 
 
 @pytest.mark.parametrize(
@@ -15,6 +20,11 @@ from silpose.silhouette.masks.natural_order import in_natural_order, takes_among
         ["001-nm-01-090-009", "001-nm-01-090-010", "001-nm-02-090-001"],
         ["a", "B", "c"],
         ["1690000000123456789", "1690000000123456790"],
+        ["cam1-t-1", "cam1-t0"],
+        ["t-10", "t-9", "t-1", "t0", "t5", "t10"],
+        ["-1.5", "-1", "-0.5", "0", "0.5", "1"],  # seconds
+        ["a_-2_mask", "a_-1_mask", "a_0_mask"],
+        ["a0", "a1", "a-0", "a-1"],  # hyphens
         ["mask (1)", "mask (2)", "mask (10)"],
     ],
 )
@@ -41,6 +51,9 @@ def test_times_as_python_writes_them_are_in_order(times):
 def test_what_frames_have_in_common():
     assert without_numbers("001-nm-01_mask") == without_numbers("12-nm-7_mask") == "#-nm-#_mask"
     assert without_numbers("1.25") == without_numbers("3")
+    assert kinds_of_names(["t-1", "t0"]) == ["t#", "t#"]
+    assert kinds_of_names(["t-1", "t-0", "t0"]) == ["t-#", "t-#", "t#"]
+    assert kinds_of_names(["t-1", "t1"]) == ["t-#", "t#"]
 
 
 @pytest.mark.parametrize(

@@ -149,7 +149,9 @@ def _turns(archive: Archive) -> tuple[Array, tuple[str, ...]]:
             f"{joints}, 3)"
         )
     shape = values.shape
-    flat = values.reshape(len(values), -1) if values.ndim == 3 and shape[-1] == 3 else values
+    flat = values
+    if values.ndim == 3 and shape[-1] == 3:
+        flat = values.reshape(len(values), 3 * shape[1])  # of no frames, too
     if flat.ndim != 2 or flat.shape[1] < columns or flat.shape[1] % 3 or not len(flat):
         raise archive.refuse(
             f"'{key}' has shape {shape}; expected (frames, 156) of SMPL-H, (frames, 165) of SMPL-X "

@@ -108,6 +108,7 @@ BAD = {
     "has no 'mocap_framerate' or 'mocap_frame_rate', only": {"mocap_framerate": None},
     "'poses' has shape (9, 10)": {"poses": np.zeros((9, 10))},
     "'poses' has shape (0, 156)": {"poses": np.zeros((0, 156))},
+    "'poses' has shape (0, 0, 3)": {"poses": np.zeros((0, 0, 3))},
     "'poses' has shape (9, 24, 3, 3)": {"poses": np.zeros((9, 24, 3, 3))},
     "'poses' has shape ()": {"poses": np.array(3.0)},
     "'poses' holds <U1": {"poses": np.full((9, 156), "a")},
