@@ -80,7 +80,10 @@ def _below_zero(names: Sequence[str]) -> list[bool]:
     found = [_SIGNED.fullmatch(name) for name in names]
     zeros = {(m[1], m[2], m[4]) for m in found if m and not float(m[3])}
     return [
-        m is not None and bool(m[2]) and (m[1], "", m[4]) in zeros and (m[1], "-", m[4]) not in zeros
+        m is not None
+        and bool(m[2])
+        and (m[1], "", m[4]) in zeros
+        and (m[1], "-", m[4]) not in zeros
         for m in found
     ]
 
