@@ -15,6 +15,7 @@ from silpose.app.compose import build_components
 from silpose.app.config import load, plain
 from silpose.app.registry import ALTERNATIVES, COMPONENTS, experiment
 from silpose.core.errors import InputError
+from silpose.core.open_files import check_open_files
 from silpose.core.parallel import check_engine, engine
 from silpose.core.stages import timing
 from silpose.experiments.catalogue import CATALOGUE, Entry
@@ -81,6 +82,7 @@ def run_experiment(settings: Sequence[str] | DictConfig = ()) -> FinishedRun:
     components = build_components(settings)
     prepared = partial(prepare_call, experiment(name), "", own)
     prepared(components=components)  # refuses wrong settings before there is a folder
+    check_open_files()
     text, defaults = (
         OmegaConf.to_yaml(each, resolve=True) for each in (settings, load([f"experiment={name}"]))
     )
