@@ -77,14 +77,18 @@ print(run.summary)
 # %%
 import pandas
 
+from silpose.recording import palette
+
 gait = pandas.read_csv(run.folder / "gait.csv")
-print(gait[gait["side"] == "both"][["name", "value", "unit", "strides", "reason"]].to_string())
+both = gait.loc[gait["side"] == "both", ["name", "value", "unit", "strides", "reason"]]
+print(both.fillna({"reason": ""}).to_string(index=False, na_rep="-"))
 angles = gait[gait["percent"].notna()]
 for side, own in angles[angles["name"] == "knee_flexion"].groupby("side"):
-    plt.plot(own["percent"], own["value"], label=f"{side} knee")
+    colour = palette.hexed(palette.shade(palette.ESTIMATED, side))
+    plt.plot(own["percent"], own["value"], color=colour, label=f"{side} knee")
 plt.xlabel("gait cycle, %")
 plt.ylabel("flexion, degrees")
-plt.legend()
+plt.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
 plt.show()
 
 # %% [markdown]

@@ -45,7 +45,10 @@ def report_in_markdown(
     """Write the same for a recording, whose lines are as long as its window is wide."""
     parts = [f"`{_head(root, reports, refused)}`"]
     for own in _blocks(reports):
-        parts += [f"### `{_title(own)}`", table_in_markdown(_rows(own))]
+        parts += [
+            f"### `{_title(own)}`",
+            table_in_markdown([row[:3] + row[4:] for row in _rows(own)]),
+        ]
         parts += [facts_in_markdown([*_doubts(own), *_facts(own)])]
     parts += [facts_in_markdown(_refusals(refused))] if refused else []
     return "\n\n".join(parts)

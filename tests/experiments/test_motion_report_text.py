@@ -84,7 +84,9 @@ def test_a_recording_has_the_same_without_lines_of_a_fixed_length():
     parts = told.split("\n\n")
     assert parts[:2] == ["`walks: 2 files, 1 understood`", "### `a_1.bvh (BVH)`"]
     assert parts[2].splitlines()[0].startswith("| take | seconds |")
-    assert parts[2].splitlines()[2].startswith("| a\\_1.bvh | 3.0 |")
+    assert (
+        parts[2].splitlines()[2].startswith("| a\\_1.bvh | 3.0 | 120 | 1.25 |")
+    )  # size has m/unit
     assert parts[3].startswith("**doubt** a\\_1.bvh: is the rate right?")
     assert "**axes** z points up, turned upright; facing by knees, feet" in parts
     assert parts[-1] == "**refused** c.bvh: no HIERARCHY"

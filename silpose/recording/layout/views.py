@@ -231,6 +231,6 @@ def texts_view(examples: bool = False) -> rrb.Container:
         return texts
     influential = rrb.Spatial2DView(
         origin=entity_paths.INFLUENTIAL_EXAMPLES,
-        name="influential training examples and their weights",
+        name="why this pose? training examples by weight",
     )
     return rrb.Vertical(texts, influential, row_shares=[1.3, 1])

@@ -21,6 +21,7 @@ def test_settings_and_figures_that_are_missing_take_no_space(tmp_path, settings,
 def test_influential_examples_stand_below_results_with_settings_behind_these():
     texts, examples = texts_view(examples=True).contents
     assert examples.origin == entities.INFLUENTIAL_EXAMPLES
+    assert examples.name.startswith("why this pose?")  # as notebooks call it
     assert [view.origin for view in texts.contents] == [entities.METRICS, entities.SETTINGS]
     assert texts.active_tab == 0
 
