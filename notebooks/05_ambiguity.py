@@ -142,8 +142,8 @@ tracked = space.distance(x, track.x)
 print(f"error of the most probable mode {errors[:, 0].mean():.2f}°, tracked {tracked.mean():.2f}°")
 
 # %% [markdown]
-# **7. Watch it.** Left the modes of each silhouette by itself, right the tracker's; the brighter a
-# skeleton, the more probable it is. The true pose is blue.
+# **7. Watch it.** Left the modes of each silhouette by itself, right the tracker's; the less
+# probable a skeleton, the thinner and greyer it is. The true pose is blue.
 
 # %%
 import silpose

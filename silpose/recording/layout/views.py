@@ -196,7 +196,7 @@ def span_of(errors: Sequence[Array]) -> tuple[float, float]:
     if highest <= 0:
         return 0.0, 1.0
     tick = 10.0 ** np.ceil(np.log10(highest) - 0.5)  # 1 up to 3.2, 10 up to 32
-    return 0.0, float(tick * np.ceil(highest / tick) * 1.02)
+    return 0.0, float(tick * np.ceil(highest / tick) * 1.08)
 
 
 def headings_view(contents: Sequence[str], colours: Mapping[str, palette.Colour]) -> rrb.View:

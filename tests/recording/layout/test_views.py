@@ -40,4 +40,4 @@ def test_axes_of_errors_begin_at_0_and_have_a_tick_above_all(highest, top):
     errors = [np.array([np.nan, highest / 2, highest]), np.array([np.nan])]
     low, high = span_of(errors)
     assert low == 0
-    assert top <= high < 1.05 * top
+    assert top <= high < 1.1 * top
