@@ -99,7 +99,7 @@ plt.plot(error, color=ESTIMATED, label="error")
 plt.axvspan(25, 40, color="0.9", label="no silhouette")
 lost = np.array([state == "lost" for state in recovered.state])
 plt.fill_between(
-    np.arange(len(error)), 0, error.max(), where=lost, color="0.6", alpha=0.5, label="lost"
+    np.arange(len(error)), 0, 0.08 * error.max(), where=lost, color="0.4", label="lost"
 )
 plt.ylabel("mean angular error, degrees")
 plt.xlabel("frame")

@@ -61,12 +61,13 @@ def _plot_losses(axes: Axes, lost: Mapping[str, Mapping[str, float]]) -> None:
     places = np.arange(len(kinds) + 1)
     for k, method in enumerate(lost):
         colour = palette.hexed(palette.METHODS[method])
-        own = 100 * np.array(list(lost[method].values()))
-        shares = [*own, own.mean()]
+        own = np.array(list(lost[method].values()))
+        percent = 100 * np.append(own, own.mean())
         bars = axes.bar(
-            places + (k - 1) * _WIDTH, shares, _WIDTH, color=colour, label=in_words(method)
-        )
-        axes.bar_label(bars, labels=[f"{round(share)}" for share in shares], fontsize=8)
+            places + (k - 1) * _WIDTH, percent, _WIDTH, color=colour,
+            label=in_words(method),
+        )  # fmt: skip
+        axes.bar_label(bars, labels=[str(round(each)) for each in percent.tolist()], fontsize=8)
     axes.axvline(len(kinds) - 0.5, color=NEUTRAL, lw=0.8)
     axes.set_xticks(places, [*(in_words(kind).replace(" ", "\n") for kind in kinds), "mean"])
     axes.set(ylabel="gain lost, %", xlim=(-0.6, len(kinds) + 0.6))
