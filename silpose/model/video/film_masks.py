@@ -87,8 +87,9 @@ class FilmMasks:
         if seen < _FEWEST:
             raise InputError(
                 f"a person is told from the background in {seen} of {len(index)} frames of {name}: "
-                "does the person move, and is there light? try silhouette.video.threshold=8, or "
-                "give a picture of the empty scene, silhouette.video.background=FILE"
+                "does the person move, and is there light enough, so that noise hides nobody? "
+                "try silhouette.video.threshold=8, or give a picture of the empty scene, "
+                "silhouette.video.background=FILE"
             )
         doubts_of(Counter(states), True, name)
         _, rate = even_times(np.array(time), video.frames_per_second)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
 _NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
 _LAST_COUNT = re.compile(r"(.*\d.*?)(?<!\d)(\d+)(\D*)")  # behind another number
+_LAST_NUMBER = re.compile(r"(|.*\D)(\d+)(\D*)")
 _SIGNED = re.compile(r"(.*?)(-?)(\d+(?:\.\d+)?)(\D*)")  # the last number, and a sign
 _LEAST_STRETCH = 3  # names that count up, at least, to be a take
 
@@ -73,6 +75,36 @@ def takes_among(names: Sequence[str]) -> list[int]:
     same = len({own[0] for own in stretches}) == 1 and len(steps) == 1
     enough = min(map(len, stretches)) >= _LEAST_STRETCH
     return starts if len(starts) > 1 and same and enough else []
+
+
+def frame_numbers(names: Sequence[str]) -> list[int]:
+    """Count frames from 0 by the last number in their names: those that are missing are gaps.
+
+    Parameters
+    ----------
+    names : sequence of str
+        In natural order, without suffixes.
+
+    Returns
+    -------
+    numbers : list of int
+        Consecutive where names differ in more than a number, or do not count in even steps.
+    """
+    consecutive = list(range(len(names)))
+    below = _below_zero(names)
+    plain = [_without_sign(n) if sign else n for n, sign in zip(names, below, strict=True)]
+    found = [match for name in plain if (match := _LAST_NUMBER.fullmatch(name))]
+    if len(found) < len(names) or len({(match[1], match[3]) for match in found}) != 1:
+        return consecutive
+    every = [-int(m[2]) if sign else int(m[2]) for m, sign in zip(found, below, strict=True)]
+    steps = Counter(b - a for a, b in pairwise(every))
+    if not steps:
+        return consecutive
+    usual, often = steps.most_common(1)[0]
+    uneven = usual < 1 or any(step < 1 or step % usual for step in steps)
+    if uneven or 2 * often < steps.total():
+        return consecutive
+    return [(number - every[0]) // usual for number in every]
 
 
 def _below_zero(names: Sequence[str]) -> list[bool]:

@@ -22,6 +22,9 @@ ADAPTIVE = ("mog2", "knn")
 
 _NOISE = 5.0  # standard deviations of the noise that are no difference
 _TO_SIGMA = 1.4826  # from the median of absolute differences
+_LOST, _WANTED = 60.0, 30.0  # grey levels of noise that hide a person, and that are left by blur
+_WIDEST = 0.008  # of that blur, as a share of the picture's longer side
+_BLUR = 3.5  # by which a blur of one pixel divides white noise
 _KNN_DISTANCE, _MOG2_DISTANCE = 400.0, 16.0  # OpenCV's own squared distances, at threshold 20
 _OWN_THRESHOLD = 20.0
 _MOSTLY = 0.6  # share of the time that what is seen is background: a person passes by
@@ -87,18 +90,21 @@ class FixedBackground:
         self._gain: Array32 | None = None
         self._lit = background
         still = np.zeros(background.shape[:2], np.uint8) if noise is None else noise
-        levels = np.clip(_NOISE * _TO_SIGMA * still.astype(np.float32), threshold, 255)
-        self._least = levels.astype(np.uint8)
+        self._least = self._levels(still)
+        self._flicker = self._levels(np.asarray(cv2.subtract(still, float(np.median(still)))))
 
     def step(self, picture: Picture) -> Differing:
         """Compare the next picture (H, W, 3)."""
         gain, switched = self.light.step(picture)
         if gain is not self._gain:
             self._gain, self._lit = gain, lit(self.background, gain)
-        background = self._lit
-        difference = _largest(np.asarray(cv2.absdiff(picture, background)))
-        sigma = _TO_SIGMA * float(np.median(difference[::4, ::4]))
-        least = np.maximum(self._least, np.uint8(min(_NOISE * sigma, 255)))
+        background, usual = self._lit, self._least
+        difference, noise = _difference(picture, background)
+        if noise > _LOST:
+            picture, background = (_blurred(own, noise) for own in (picture, background))
+            difference, noise = _difference(picture, background)
+            usual = self._flicker
+        least = np.maximum(usual, np.uint8(min(noise, 255)))
         weak = (difference > least).view(np.uint8)
         strong = (difference > cv2.add(least, least)).view(np.uint8)  # twice, up to 255
         if self.shadows is not None:
@@ -106,6 +112,11 @@ class FixedBackground:
             lit_up = 1 - found
             weak, strong = weak & lit_up, strong & lit_up
         return Differing(weak, strong, switched)
+
+    def _levels(self, still: Mask) -> Mask:
+        """Differences that are no noise, of pixels (H, W) of a median absolute deviation."""
+        levels = np.clip(_NOISE * _TO_SIGMA * still.astype(np.float32), self.threshold, 255)
+        return levels.astype(np.uint8)
 
 
 class AdaptiveBackground:
@@ -170,6 +181,18 @@ class AdaptiveBackground:
         self._seen += 1
         rate = max(self._rate, 1 / self._seen)
         return np.asarray(self._model.apply(picture, learningRate=rate), np.uint8)
+
+
+def _difference(picture: Picture, background: Picture) -> tuple[Mask, float]:
+    """How much pixels differ, and up to where that is noise."""
+    difference = _largest(np.asarray(cv2.absdiff(picture, background)))
+    return difference, _NOISE * _TO_SIGMA * float(np.median(difference[::4, ::4]))
+
+
+def _blurred(picture: Picture, noise: float) -> Picture:
+    """Blur a picture as much as its noise asks for."""
+    width = min(noise / _WANTED / _BLUR, _WIDEST * max(picture.shape[:2]))
+    return np.asarray(cv2.GaussianBlur(picture, (0, 0), width), np.uint8)
 
 
 def _largest(colours: Picture) -> Mask:

@@ -58,4 +58,4 @@ def _why_closed(source: Source) -> str:
         return f"there is no file {name}: give a video, a folder of pictures or a camera"
     if source.stat().st_size == 0:
         return f"the file {name} is empty: record or copy it anew"
-    return f"{name} is no video that can be read, or cut off: {CONVERT}"
+    return f"{name} is no video that can be read, or cut off: copy it anew, or {CONVERT}"

@@ -5,14 +5,18 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import cv2
+from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
 from silpose.silhouette.video.captures import CONVERT, name_of, open_capture
 from silpose.silhouette.video.clock import FASTEST, USUAL, Clock
-from silpose.silhouette.video.frame import Frame, alike, working_picture
+from silpose.silhouette.video.frame import Frame, Picture, alike, working_picture
 
+_BARE = (".h264", ".264", ".avc", ".h265", ".265", ".hevc", ".mjpeg", ".mjpg", ".m2v")
+_WIDEST = 4.0  # pixels that are wider or narrower than that are a header's mistake
 _WHOLE = 0.9  # share of the frames announced, below which a film is cut off
 
 
@@ -39,8 +43,18 @@ class FilmFrames:
         self._said_cut = False
         known = told if 0 < told < FASTEST else None
         self.frames_per_second: float | None = rate or known
+        if rate is None and (known is None or source.suffix.lower() in _BARE):
+            warnings.warn(
+                f"the video {self.name} tells no frame rate, so {known or USUAL:g} frames per "
+                "second are taken: give silhouette.frames_per_second (in Python frames_per_second)",
+                stacklevel=3,
+            )
         self.announced = max(0, int(capture.get(cv2.CAP_PROP_FRAME_COUNT)))
-        self.size: tuple[int, ...] = self._size_of(capture)
+        self._aspect = _aspect_of(capture)
+        self._shape = self._shape_of(capture)
+        height, width = self._shape[0], round(self._aspect * self._shape[1])
+        scale = min(1.0, longest_side / max(height, width))
+        self.size: tuple[int, ...] = (max(1, round(scale * height)), max(1, round(scale * width)))
 
     @property
     def name(self) -> str:
@@ -51,14 +65,12 @@ class FilmFrames:
         """Decode frame by frame."""
         capture = open_capture(self.source)
         clock = Clock(self.frames_per_second or USUAL)
-        height, width = self.size
         index = 0
         try:
             while (read := capture.read())[0]:
-                if not alike(read[1].shape, self.size):
+                if not alike(read[1].shape, self._shape):
                     break
-                picture = working_picture(read[1], self.longest_side, (width, height))
-                yield Frame(index, clock.step(self._stamp(capture, index)), picture)
+                yield Frame(index, clock.step(self._stamp(capture, index)), self._scaled(read[1]))
                 index += 1
         finally:
             capture.release()
@@ -76,8 +88,8 @@ class FilmFrames:
                 wanted = int((k + 0.5) * step)
                 self._go_to(capture, wanted)
                 found, picture = capture.read()
-                if found:
-                    yield Frame(wanted, 0.0, working_picture(picture, self.longest_side, None))
+                if found and alike(picture.shape, self._shape):
+                    yield Frame(wanted, 0.0, self._scaled(picture))
         finally:
             capture.release()
 
@@ -93,13 +105,17 @@ class FilmFrames:
         else:
             capture.set(cv2.CAP_PROP_POS_FRAMES, wanted)
 
-    def _size_of(self, capture: cv2.VideoCapture) -> tuple[int, ...]:
+    def _scaled(self, picture: NDArray[Any]) -> Picture:
+        """Scale a picture to the size, whose pixels are square."""
+        return working_picture(picture, self.longest_side, (self.size[1], self.size[0]))
+
+    def _shape_of(self, capture: cv2.VideoCapture) -> tuple[int, ...]:
         """Decode one frame, since a capture may be open and its codec unknown."""
         found, picture = capture.read()
         codec = int(capture.get(cv2.CAP_PROP_FOURCC)).to_bytes(4, "little", signed=True)
         capture.release()
         if found:
-            return working_picture(picture, self.longest_side, None).shape[:2]
+            return tuple(picture.shape[:2])
         called = codec.decode("ascii", "ignore").strip("\0 ")
         if self.announced:
             raise InputError(
@@ -122,3 +138,10 @@ class FilmFrames:
                 "off or damaged, or of another size from there on",
                 stacklevel=3,
             )
+
+
+def _aspect_of(capture: cv2.VideoCapture) -> float:
+    """Width of a pixel over its height, which is not 1 in films of tapes and discs."""
+    wide, high = (capture.get(key) for key in (cv2.CAP_PROP_SAR_NUM, cv2.CAP_PROP_SAR_DEN))
+    aspect = wide / high if wide > 0 and high > 0 else 1.0
+    return aspect if 1 / _WIDEST <= aspect <= _WIDEST else 1.0

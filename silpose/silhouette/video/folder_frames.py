@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,8 @@ import numpy as np
 from silpose.core.errors import InputError
 from silpose.silhouette.masks.folders import image_files
 from silpose.silhouette.masks.image_files import read_photograph
-from silpose.silhouette.video.clock import USUAL
+from silpose.silhouette.masks.natural_order import frame_numbers
+from silpose.silhouette.video.clock import USUAL, Clock
 from silpose.silhouette.video.frame import Frame, Picture, working_picture
 
 
@@ -27,7 +29,7 @@ def read_picture(file: Path, longest_side: int) -> Picture:
 
 
 class FolderFrames:
-    """Frames of a folder of pictures, in the order of the numbers in their names.
+    """Frames of a folder of pictures, in order and at times of the numbers in their names.
 
     Parameters
     ----------
@@ -46,12 +48,23 @@ class FolderFrames:
         self.longest_side = longest_side
         self.frames_per_second = rate
         self.announced = len(self.files)
+        numbers = frame_numbers([file.stem for file in self.files])
+        clock = Clock(rate or USUAL)
+        self._times = [clock.step(number * clock.interval) for number in numbers]
         if not self.files:
             raise InputError(f"there are no pictures in {self.name}: give a folder of them")
         if rate is None:
             warnings.warn(
                 f"the pictures in {self.name} have no frame rate, so {USUAL:g} frames per second "
                 "are taken: give silhouette.frames_per_second (in Python frames_per_second)",
+                stacklevel=3,
+            )
+        gaps = [k for k, (a, b) in enumerate(pairwise(numbers)) if b > a + 1]
+        if gaps:
+            warnings.warn(
+                f"{numbers[-1] + 1 - len(numbers)} pictures in {self.name} are missing by the "
+                f"numbers in their names, first after '{self.files[gaps[0]].name}', and leave gaps "
+                "in time: if there are none, number the pictures anew",
                 stacklevel=3,
             )
 
@@ -82,4 +95,4 @@ class FolderFrames:
                     "one take of one camera"
                 )
             size = picture.shape[:2]
-            yield Frame(index, index / (self.frames_per_second or USUAL), picture)
+            yield Frame(index, self._times[index], picture)

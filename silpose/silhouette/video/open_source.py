@@ -12,11 +12,13 @@ import numpy as np
 from silpose.core.errors import InputError
 from silpose.core.home_folder import expanded
 from silpose.silhouette.masks.image_files import IMAGES
+from silpose.silhouette.video.captures import CONVERT
 from silpose.silhouette.video.film_frames import FilmFrames
 from silpose.silhouette.video.folder_frames import FolderFrames
 from silpose.silhouette.video.frame import Frame
 from silpose.silhouette.video.live_frames import LiveFrames
 
+_ANIMATED = (".apng", ".webp", ".avif")
 WANTED = "give a video, a folder of pictures, the index of a camera or the address of a stream"
 
 
@@ -83,5 +85,7 @@ def open_source(
         if "://" in written:
             return LiveFrames(written, longest_side, rate)
     if path.suffix.lower() in IMAGES and path.suffix.lower() not in (".gif",):
+        if path.suffix.lower() in _ANIMATED:
+            raise InputError(f"'{source}' is a picture or an animation, and no video: {CONVERT}")
         raise InputError(f"'{source}' is one picture: {WANTED}")
     return FilmFrames(path, longest_side, rate)

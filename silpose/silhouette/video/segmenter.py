@@ -100,8 +100,9 @@ class Segmenter:
         if self._moved and not self._said_moved:
             self._said_moved = True
             warnings.warn(
-                f"the camera of {self.source} moves, first seen at {frame.time:.1f} s: masks are "
-                "right only of a camera that stands still; put it on a stand, or give masks of "
-                "another origin with silpose predict",
+                f"the camera of {self.source} moves, first seen at {frame.time:.1f} s, or noise or "
+                "darkness hides the scene: masks are right only of a camera that stands still; put "
+                "it on a stand, give it light, or give masks of another origin with silpose "
+                "predict",
                 stacklevel=3,
             )

@@ -17,6 +17,17 @@ def test_a_person_differs_and_noise_does_not(truth, sigma):
     assert not found.switched
 
 
+@pytest.mark.parametrize("sigma", [15, 25])
+def test_strong_noise_hides_nobody(truth, sigma):
+    rng = np.random.default_rng(0)
+    still = np.full((144, 192), round(sigma / 1.5), np.uint8)
+    background = FixedBackground(wall().astype(np.uint8), 20, SHADOWS, still)
+    found = background.step(noisy(paint(wall(), truth[9]), rng, sigma))
+    assert overlap(found.weak, truth[9]) > 0.85
+    assert overlap(found.strong, truth[9]) > 0.4
+    assert not background.step(noisy(wall(), rng, sigma)).strong.any()
+
+
 def test_a_pixel_that_flickers_needs_more(truth):
     noise = np.zeros((144, 192), np.uint8)
     noise[:, :40] = 12

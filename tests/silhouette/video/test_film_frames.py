@@ -1,12 +1,15 @@
 import struct
 import warnings
+from types import SimpleNamespace
 
+import cv2
 import numpy as np
 import pytest
 from PIL import Image
 from video_films import write_film
 
 from silpose.core.errors import InputError
+from silpose.silhouette.video import film_frames
 from silpose.silhouette.video.film_frames import FilmFrames
 
 
@@ -54,6 +57,37 @@ def test_a_film_of_a_turned_phone_is_upright(tmp_path):
     assert picture[:20].mean() > 200 > 120 > picture[-20:].mean()
 
 
+def test_pixels_that_are_not_square_are_made_so(tmp_path, monkeypatch):
+    file = write_film(tmp_path / "dv.mp4", grey([100] * 60))
+    monkeypatch.setattr(film_frames, "_aspect_of", lambda capture: 1.5)
+    film = FilmFrames(file, 960)
+    assert film.size == (48, 96)
+    for frames in (list(film), list(film.sample(9))):
+        assert frames and {frame.picture.shape for frame in frames} == {(48, 96, 3)}
+    assert FilmFrames(file, 48).size == (24, 48)
+
+
+@pytest.mark.parametrize(
+    ("told", "aspect"), [((0, 0), 1), ((1, 1), 1), ((64, 45), 64 / 45), ((1, 1000), 1)]
+)
+def test_a_film_tells_the_aspect_of_its_pixels(told, aspect):
+    known = dict(zip((cv2.CAP_PROP_SAR_NUM, cv2.CAP_PROP_SAR_DEN), told, strict=True))
+    capture = SimpleNamespace(get=known.__getitem__)
+    assert film_frames._aspect_of(capture) == pytest.approx(aspect)
+
+
+def test_a_film_without_a_container_tells_no_rate(tmp_path):
+    pictures = [cv2.imencode(".jpg", picture)[1].tobytes() for picture in grey([50, 100, 150])]
+    file = tmp_path / "bare.mjpeg"
+    file.write_bytes(b"".join(pictures))
+    with pytest.warns(UserWarning, match=r"'.*bare\.mjpeg' tells no frame rate, so 25 frames"):
+        film = FilmFrames(file, 960)
+    assert film.frames_per_second == 25
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert FilmFrames(file, 960, 90.0).frames_per_second == 90
+
+
 def test_what_cannot_be_decoded_is_named_with_a_remedy(tmp_path, capfd):
     (tmp_path / "empty.mp4").write_bytes(b"")
     (tmp_path / "text.mp4").write_bytes(b"no video at all")
@@ -61,7 +95,7 @@ def test_what_cannot_be_decoded_is_named_with_a_remedy(tmp_path, capfd):
     film.write_bytes(film.read_bytes().replace(b"mp4v", b"av01").replace(b"esds", b"free"))
     for name, words in [
         ("empty.mp4", "is empty"),
-        ("text.mp4", "no video that can be read"),
+        ("text.mp4", "no video that can be read, or cut off: copy it anew, or convert it"),
         ("av1.mp4", "cannot be decoded, its codec is (AV1|av01|AV01): convert it, as by ffmpeg"),
         ("missing.mp4", "there is no file"),
     ]:

@@ -30,6 +30,8 @@ def test_a_film_and_a_folder_are_told_apart(film, tmp_path, pictures):
         (True, "no source of pictures"),
         (1.5, "no source of pictures"),
         ("a.png", "is one picture"),
+        ("a.apng", "an animation, and no video: convert it"),
+        ("a.webp", "an animation, and no video: convert it"),
     ],
 )
 def test_what_is_no_source_is_refused(source, words):
