@@ -91,7 +91,8 @@ class FixedBackground:
         self._lit = background
         still = np.zeros(background.shape[:2], np.uint8) if noise is None else noise
         self._least = self._levels(still)
-        self._flicker = self._levels(np.asarray(cv2.subtract(still, float(np.median(still)))))
+        usual = np.full_like(still, np.median(still))
+        self._flicker = self._levels(np.asarray(cv2.subtract(still, usual), np.uint8))
 
     def step(self, picture: Picture) -> Differing:
         """Compare the next picture (H, W, 3)."""
