@@ -25,6 +25,7 @@ from silpose.recording.layout import (
     features_layout,
     study_layout,
 )
+from silpose.recording.layout.views import span_of
 from silpose.recording.silhouette import Masks, log_masks_alone, window_of
 from silpose.recording.stream import log_figure, recording_stream
 
@@ -60,11 +61,13 @@ def record_study(
     legend : str, default=""
         Which colour is what; by default each name with its colour.
     span : tuple of float, optional
-        Lowest and highest value that there may be.
+        Lowest and highest value that there may be; by default from 0 to above all.
     """
     drawn = {name: palette.of_method(name, k, len(series)) for k, name in enumerate(series)}
     drawn |= colours or {}
     words = f"{title}: {legend or coloured(drawn)}" if series else None
+    if span is None and series and not any((own < 0).any() for own in series.values()):
+        span = span_of(list(series.values()))
     wide = header.figure is None or _shape(header.figure) > _TALL
     layout = study_layout(words, frames_per_second, bool(len(masks)), window_of(masks), wide, span)
     with recording_stream(header, layout) as recording:

@@ -18,7 +18,7 @@ _DRAWN = {
     "skeleton": palette.ESTIMATED,
     "where doubtful": palette.DOUBTFUL,
 }
-_SURE = {"overlap of mask and body": palette.ESTIMATED, "confidence": palette.NEUTRAL}
+_SURE = {"overlap": palette.ESTIMATED, "confidence": palette.NEUTRAL}
 _SO_FAR = rrb.VisibleTimeRanges(
     timeline="frame",
     start=rrb.TimeRangeBoundary.infinite(),

@@ -18,7 +18,7 @@ def test_titles_name_the_colours_that_are_drawn():
     overlay = next(name for name in said if "outline" in name)
     drawn = palette.EDGE, palette.ESTIMATED, palette.DOUBTFUL
     assert [palette.NAMES[colour] in overlay for colour in drawn] == [True] * 3
-    assert any(name == "overlap of mask and body (vermilion), confidence (grey)" for name in said)
+    assert any(name == "overlap (vermilion), confidence (grey)" for name in said)
 
 
 def test_sides_of_a_gait_differ_in_lightness_alone():
