@@ -17,6 +17,7 @@ from silpose.silhouette.video.backgrounds import (
     FixedBackground,
     Shadows,
 )
+from silpose.silhouette.video.clock import USUAL
 from silpose.silhouette.video.folder_frames import read_picture
 from silpose.silhouette.video.frame import Picture, alike
 from silpose.silhouette.video.light import Light, lit
@@ -24,6 +25,7 @@ from silpose.silhouette.video.median import median_picture
 from silpose.silhouette.video.open_source import Frames
 
 _FEWEST = 3  # frames of which a median is something else than one of them
+_SHORT = 1.0  # seconds in which a person may stay at one place for most of the time
 _SWITCHED = 0.15  # mean log of a gain from which a light was switched
 _GREY = 6  # levels by which the colours of a grey picture differ at most, compressed
 
@@ -66,7 +68,8 @@ def learn_background(
     Warns
     -----
     UserWarning
-        If the pictures are grey, so that there is no shadow rule.
+        If the pictures are grey, so that there is no shadow rule, or too short for a median to be
+        the scene.
     """
     if kind in ADAPTIVE:
         return AdaptiveBackground(kind, threshold, shadows, history, pictures)
@@ -77,6 +80,14 @@ def learn_background(
                 f"{frames.name} has fewer than {_FEWEST} frames, too few for a median: give a "
                 "picture of the empty scene, silhouette.video.background=FILE (in Python "
                 "background='FILE')"
+            )
+        seconds = frames.announced / (frames.frames_per_second or USUAL)
+        if seconds < _SHORT:
+            warnings.warn(
+                f"{frames.name} lasts {seconds:.1f} s, in which a person may hardly move and be "
+                "taken for the scene: give a picture of the empty scene, "
+                "silhouette.video.background=FILE (in Python background='FILE')",
+                stacklevel=4,
             )
         picture, noise = median_picture(_in_one_light(pictures))
     else:

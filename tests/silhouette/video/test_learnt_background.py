@@ -1,3 +1,5 @@
+import warnings
+
 import cv2
 import numpy as np
 import pytest
@@ -38,6 +40,17 @@ def test_a_picture_of_another_camera_and_two_frames_are_refused(film, tmp_path, 
     short = write_film(tmp_path / "short.mp4", pictures[:2])
     with pytest.raises(InputError, match="fewer than 3 frames, too few for a median"):
         learn(short)
+
+
+def test_a_film_in_which_a_person_hardly_moves_is_doubted(film, tmp_path, pictures):
+    short = write_film(tmp_path / "short.mp4", pictures[:5])
+    with pytest.warns(
+        UserWarning, match=r"short\.mp4' lasts 0\.2 s, .* give a picture of the empty"
+    ):
+        learn(short)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        learn(film)
 
 
 def test_a_grey_film_has_no_shadow_rule_and_it_is_said(tmp_path, pictures):
