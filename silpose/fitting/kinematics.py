@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit
 
 from silpose.core.skeleton import JOINTS
-from silpose.core.skeleton.rotations import turn
+from silpose.core.skeleton.compiled import turn
 from silpose.core.types import Array
 from silpose.fitting.geometry import Geometry
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from silpose.core.skeleton.joints import JOINTS, OFFSETS, PARENTS, POINTS, SOLES, SPINE_OFFSETS
-from silpose.core.types import Array, Indices
+from silpose.core.types import Array
 
 _CHEST = POINTS.index("chest")
 _PARENTS = np.array([-1, *(POINTS.index(PARENTS[point]) for point in POINTS[1:])])
@@ -45,40 +44,13 @@ def forward_kinematics(rotations: ArrayLike) -> tuple[Array, Array]:
     orientations : ndarray, shape (F, 18, 3, 3)
         Rotation of each joint in the world.
     """
+    from silpose.core.skeleton.compiled import placed  # slow to load, and lists of runs need none
+
     rotations = np.ascontiguousarray(rotations, dtype=float)
     third = spine_thirds(rotations[:, _CHEST])
     first, second, last = SPINE_OFFSETS
     bend = first + third @ second + third @ third @ last
-    return _placed(rotations, bend, _PARENTS, _OFFSETS)
-
-
-@njit(cache=True, nogil=True)
-def _placed(
-    rotations: Array, bend: Array, parents: Indices, offsets: Array
-) -> tuple[Array, Array]:  # pragma: no cover
-    """Place the tree; the chest is where the spine's bend (F, 3) puts it."""
-    frames, joints = rotations.shape[:2]
-    positions = np.zeros((frames, len(parents), 3))
-    orientations = np.empty_like(rotations)
-    for f in range(frames):
-        orientations[f, 0] = rotations[f, 0]
-        for p in range(1, len(parents)):
-            above = orientations[f, parents[p]]
-            offset = bend[f] if p == _CHEST else offsets[p]
-            for row in range(3):
-                place = positions[f, parents[p], row]
-                for c in range(3):
-                    place += above[row, c] * offset[c]
-                positions[f, p, row] = place
-            if p >= joints:  # a tip
-                continue
-            for row in range(3):
-                for column in range(3):
-                    turned = 0.0
-                    for c in range(3):
-                        turned += above[row, c] * rotations[f, p, c, column]
-                    orientations[f, p, row, column] = turned
-    return positions, orientations
+    return placed(rotations, bend, _PARENTS, _OFFSETS)
 
 
 def standing_height(rotations: ArrayLike) -> Array:

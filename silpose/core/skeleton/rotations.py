@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import cos, sin
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from silpose.core.skeleton.joints import EULER_ORDERS, JOINTS, PARENTS
-from silpose.core.types import Array, Indices
+from silpose.core.types import Array
 
 _ORDERS = np.array([["XYZ".index(axis) for axis in EULER_ORDERS[joint]] for joint in JOINTS])
 
@@ -28,33 +26,10 @@ def rotations_from_angles(angles: ArrayLike) -> Array:
     -------
     rotations : ndarray, shape (F, 18, 3, 3)
     """
+    from silpose.core.skeleton.compiled import from_euler  # slow to load, and lists of runs need none
+
     radians = np.radians(np.asarray(angles, dtype=float)).reshape(-1, len(JOINTS), 3)
-    return _from_euler(radians, _ORDERS)
-
-
-@njit(cache=True, nogil=True)
-def _from_euler(radians: Array, orders: Indices) -> Array:  # pragma: no cover
-    """Rotations (F, J, 3, 3) from angles (F, J, 3) about the axes (J, 3), each by its number."""
-    rotations = np.empty((*radians.shape, 3))
-    first, second = np.empty((3, 3)), np.empty((3, 3))
-    for f in range(radians.shape[0]):
-        for j in range(radians.shape[1]):
-            one, two, three = radians[f, j]
-            turn(np.eye(3), orders[j, 0], one, first)
-            turn(first, orders[j, 1], two, second)
-            turn(second, orders[j, 2], three, rotations[f, j])
-    return rotations
-
-
-@njit(cache=True, nogil=True)
-def turn(rotation: Array, axis: int, angle: float, turned: Array) -> None:  # pragma: no cover
-    """Write a rotation times one about an axis, radians, into another matrix."""
-    one, two = (axis + 1) % 3, (axis + 2) % 3
-    cosine, sine = cos(angle), sin(angle)
-    for row in range(3):
-        turned[row, axis] = rotation[row, axis]
-        turned[row, one] = cosine * rotation[row, one] + sine * rotation[row, two]
-        turned[row, two] = cosine * rotation[row, two] - sine * rotation[row, one]
+    return from_euler(radians, _ORDERS)
 
 
 def angles_from_rotations(rotations: ArrayLike) -> Array:
