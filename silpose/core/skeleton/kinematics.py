@@ -44,7 +44,7 @@ def forward_kinematics(rotations: ArrayLike) -> tuple[Array, Array]:
     orientations : ndarray, shape (F, 18, 3, 3)
         Rotation of each joint in the world.
     """
-    from silpose.core.skeleton.compiled import placed  # slow to load, and lists of runs need none
+    from silpose.core.skeleton.compiled import placed  # slow to load; lists need none
 
     rotations = np.ascontiguousarray(rotations, dtype=float)
     third = spine_thirds(rotations[:, _CHEST])

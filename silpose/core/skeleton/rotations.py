@@ -26,7 +26,7 @@ def rotations_from_angles(angles: ArrayLike) -> Array:
     -------
     rotations : ndarray, shape (F, 18, 3, 3)
     """
-    from silpose.core.skeleton.compiled import from_euler  # slow to load, and lists of runs need none
+    from silpose.core.skeleton.compiled import from_euler  # slow to load; lists need none
 
     radians = np.radians(np.asarray(angles, dtype=float)).reshape(-1, len(JOINTS), 3)
     return from_euler(radians, _ORDERS)
