@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import warnings
@@ -27,6 +28,7 @@ def main() -> None:
     try:
         _run(sys.argv[1:])
         sys.stdout.flush()
+        gc.freeze()  # the process ends: looking for garbage once more would take a second
     except KeyboardInterrupt:
         print("silpose: interrupted", file=sys.stderr)
         raise SystemExit(INTERRUPTED) from None
