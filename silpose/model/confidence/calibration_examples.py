@@ -46,7 +46,7 @@ class LeftOut:
         Of these takes, as they are and odd.
     strays : Strays
         Which of their estimates stray.
-    rest : ndarray of int
+    rest : sequence of int
         The training takes that are not left out.
     """
 

@@ -16,7 +16,7 @@ _SURE = 1e-6  # from 0 and 1, so that odds are finite
 def doubted_as_a_source(confidence: Array, facts: MaskFacts) -> Array:
     """Lower confidence where other masks of the source look like nothing that trained.
 
-    What spoils a frame spoils its neighbours: where both are less sure, the surer of them counts.
+    What damages a frame damages its neighbours: where both are less sure, the surer one counts.
     And what makes most masks odd (they are upside down, stretched, or show something else) is in
     the others, too, even if these look like masks of training: where the median of the log odds
     is negative, it is therefore added to those of each frame. Masks that the picture's border cuts

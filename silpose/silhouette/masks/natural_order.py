@@ -32,8 +32,8 @@ def in_natural_order(names: Sequence[str]) -> list[int]:
         Indices of the names.
     """
     counted = _counts_after_dots(names)
-    below = _below_zero(names)
-    keys = [_key(name, counted, sign) for name, sign in zip(names, below, strict=True)]
+    plain, below = _without_signs(names)
+    keys = [_key(*own, counted) for own in zip(names, plain, below, strict=True)]
     return sorted(range(len(names)), key=keys.__getitem__)
 
 
@@ -44,11 +44,7 @@ def without_numbers(name: str) -> str:
 
 def kinds_of_names(names: Sequence[str]) -> list[str]:
     """Replace the numbers in names, and the signs of those that count from below zero."""
-    below = _below_zero(names)
-    return [
-        without_numbers(_without_sign(name) if sign else name)
-        for name, sign in zip(names, below, strict=True)
-    ]
+    return [without_numbers(name) for name in _without_signs(names)[0]]
 
 
 def takes_among(names: Sequence[str]) -> list[int]:
@@ -91,8 +87,7 @@ def frame_numbers(names: Sequence[str]) -> list[int]:
         Consecutive where names differ in more than a number, or do not count in even steps.
     """
     consecutive = list(range(len(names)))
-    below = _below_zero(names)
-    plain = [_without_sign(n) if sign else n for n, sign in zip(names, below, strict=True)]
+    plain, below = _without_signs(names)
     found = [match for name in plain if (match := _LAST_NUMBER.fullmatch(name))]
     if len(found) < len(names) or len({(match[1], match[3]) for match in found}) != 1:
         return consecutive
@@ -107,22 +102,18 @@ def frame_numbers(names: Sequence[str]) -> list[int]:
     return [(number - every[0]) // usual for number in every]
 
 
-def _below_zero(names: Sequence[str]) -> list[bool]:
-    """Tell a sign from a hyphen: among names that are alike, there is a zero without one only."""
+def _without_signs(names: Sequence[str]) -> tuple[list[str], list[bool]]:
+    """Take away the signs of last numbers, and say which names had one.
+
+    A sign is told from a hyphen: among names that are alike, there is a zero without one only.
+    """
     found = [_SIGNED.fullmatch(name) for name in names]
     zeros = {(m[1], m[2], m[4]) for m in found if m and not float(m[3])}
-    return [
-        m is not None
-        and bool(m[2])
-        and (m[1], "", m[4]) in zeros
-        and (m[1], "-", m[4]) not in zeros
-        for m in found
-    ]
-
-
-def _without_sign(name: str) -> str:
-    match = _SIGNED.fullmatch(name)
-    return name if match is None else match[1] + match[3] + match[4]
+    plain, below = list(names), [False] * len(names)
+    for k, m in enumerate(found):
+        if m and m[2] and (m[1], "", m[4]) in zeros and (m[1], "-", m[4]) not in zeros:
+            plain[k], below[k] = m[1] + m[3] + m[4], True
+    return plain, below
 
 
 def _counts_after_dots(names: Sequence[str]) -> bool:
@@ -131,9 +122,11 @@ def _counts_after_dots(names: Sequence[str]) -> bool:
     return len(lengths) > 1 and any(digits.endswith("0") for digits in decimals)
 
 
-def _key(name: str, counted: bool, below_zero: bool) -> list[tuple[str, float, float, str]]:
-    """Text and numbers in turn: each text, then the number behind it."""
-    parts = _NUMBER.split(_without_sign(name) if below_zero else name)
+def _key(
+    name: str, plain: str, below_zero: bool, counted: bool
+) -> list[tuple[str, float, float, str]]:
+    """Text and numbers of a name without its sign in turn: each text, then the number behind it."""
+    parts = _NUMBER.split(plain)
     key = []
     for text, number in zip(parts[::2], [*parts[1::2], ""], strict=True):
         whole, _, decimals = number.partition(".")
