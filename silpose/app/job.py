@@ -13,6 +13,7 @@ from omegaconf import DictConfig
 from silpose.app.conf_folder import config_folder
 from silpose.app.config import check_overrides, explain
 from silpose.app.failures import sentence
+from silpose.app.outputs import stop_quietly
 from silpose.app.schema import register
 from silpose.core.errors import InputError
 from silpose.core.stages import stage
@@ -43,7 +44,10 @@ def _job(settings: DictConfig) -> float | None:
             from silpose.app.summary import summarise
 
         run = run_experiment(settings)
-        summarise(run)
+        try:
+            summarise(run)
+        except BrokenPipeError:  # which Hydra would report
+            stop_quietly()
     except Exception as error:
         if settings.debug:
             raise
