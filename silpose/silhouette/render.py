@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from silpose.core.types import Mask
 from silpose.silhouette.body import Body
 from silpose.silhouette.camera import Camera
+from silpose.silhouette.convex_hulls import convex_hulls
 
 _BLOCK = 32  # frames posed at once: enough to share the overhead, few enough for memory
 _SHIFT = 4  # bits of a pixel's fraction that OpenCV's filling takes
@@ -65,9 +66,7 @@ def fill_pieces(pieces: NDArray[np.floating], height: int, width: int) -> Mask:
     if pieces.shape[1] == 3:  # triangles of a closed surface: those that face the camera are enough
         (ax, ay), (bx, by), (cx, cy) = np.moveaxis(pieces, 0, -1)
         pieces = pieces[(bx - ax) * (cy - ay) < (by - ay) * (cx - ax)]
-        hulls = iter(np.rint(pieces * (1 << _SHIFT)).astype(np.int32))
-    else:
-        hulls = map(cv2.convexHull, np.rint(pieces * (1 << _SHIFT)).astype(np.int32))
-    for hull in hulls:
-        cv2.fillConvexPoly(mask, hull, 1, cv2.LINE_8, _SHIFT)
+    corners = np.rint(pieces * (1 << _SHIFT)).astype(np.int32)
+    for hull, count in zip(*convex_hulls(corners), strict=True):
+        cv2.fillConvexPoly(mask, hull[:count], 1, cv2.LINE_8, _SHIFT)
     return mask
