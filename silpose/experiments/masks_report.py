@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from silpose.core.types import Row
-from silpose.silhouette.masks import MaskSequence
+from silpose.silhouette.masks import MaskSequence, NumberedFrames
 from silpose.silhouette.person import SIDES, MaskFacts
 
 _LISTED = 5
@@ -101,6 +101,7 @@ def _kind(encoding: str, takes: Sequence[SeenTake], rate: float | None) -> list[
     for take in takes:
         before = f"of {take.name}, " if take.name else ""
         lines += [("decided", before + note) for note in take.sequence.notes]
+        lines += [("in time", before + words) for words in _in_time(take.sequence)]
         lines += [("left out", before + words) for words in _left_out(take.sequence.ignored)]
     lines += _people([take for take in takes if take.facts is not None])
     refused = [take.refused for take in takes if take.refused]
@@ -108,6 +109,11 @@ def _kind(encoding: str, takes: Sequence[SeenTake], rate: float | None) -> list[
     if len(refused) > _LISTED:
         lines += [("", f"and so in {len(refused) - _LISTED} more takes")]
     return lines
+
+
+def _in_time(sequence: MaskSequence) -> list[str]:
+    doubt = NumberedFrames.of(sequence.names).doubt(sequence.source, "masks")
+    return [doubt] if doubt else []
 
 
 def _sizes(shapes: np.ndarray) -> str:

@@ -18,6 +18,7 @@ from silpose.model import (
     PoseModel,
     Poses,
     PredictionDetails,
+    check_rate,
     load,
     pose_csv,
     predict_tree,
@@ -80,8 +81,11 @@ def predict(
     if known is not None and known.tracker is not None:  # to which blank masks belong
         own = replace(own, blank="nan")
     masks = None if several else _read(own, judge=known is None)  # before time is spent on training
-    fitted = known or _train(components, show)
     fit = components.fitting.enabled
+    if masks is not None and known is not None and known.tracker is not None and not fit:
+        rate = own.frames_per_second or masks.frames_per_second
+        check_rate(rate, masks.source, known.frames_per_second)
+    fitted = known or _train(components, show)
     if fit:
         fitted = _with_options(fitted, components.fitting)
     if masks is None:

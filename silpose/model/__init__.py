@@ -4,6 +4,7 @@ Takes a `Dataset`, fits descriptor, regressors, trackers and a body fitter to it
 fitted parts to experiments, to recordings, and as one file to whoever loads it.
 """
 
+from silpose.model.answers import check_rate
 from silpose.model.describe import Descriptor, describe_takes, fit_descriptor
 from silpose.model.described_masks import see_masks
 from silpose.model.descriptor_cache import DescriptorCache
@@ -33,6 +34,7 @@ __all__ = [
     "Poses",
     "PredictionDetails",
     "TrackerTraining",
+    "check_rate",
     "compare",
     "describe_dataset",
     "describe_takes",

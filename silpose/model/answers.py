@@ -14,7 +14,9 @@ from silpose.model.confidence import doubted_as_a_source
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.poses import Poses
 from silpose.model.prediction_details import PredictionDetails
+from silpose.silhouette.masks import NumberedFrames
 from silpose.silhouette.person import MaskFacts
+from silpose.silhouette.video import times_of_numbers
 from silpose.tracking import Tracker, times_of, track_at
 
 if TYPE_CHECKING:
@@ -42,10 +44,9 @@ def estimated(model: PoseModel, details: PredictionDetails) -> Poses:
     details : PredictionDetails
         Of masks; a source without a rate has times at the model's.
     """
-    rate = details.frames_per_second or model.frames_per_second
     states = [state or ESTIMATED for state in _facts(details).states()]
-    time = times_of(len(details), rate)
-    assert time is not None
+    known = details.frames_per_second
+    time = _seconds(details, known or model.frames_per_second, "" if known else None)
     confidence = calibrated(model, details.z, details.x, _facts(details))
     poses = Poses(details.x, model.space, confidence, states, time, facts=details.facts)
     return _said_if_doubtful(poses, details.source)
@@ -76,9 +77,11 @@ def tracked(
     InputError
         If neither the times nor the rate of the masks are known.
     """
-    seconds = times_of(len(details), details.frames_per_second, time)
+    seconds = times_of(len(details), time=time)
     if seconds is None:
-        raise InputError(rate_wanted(details.source or "these masks", model.frames_per_second))
+        check_rate(details.frames_per_second, details.source, model.frames_per_second)
+        assert details.frames_per_second is not None
+        seconds = _seconds(details, details.frames_per_second)
     interval = float(np.median(np.diff(seconds))) if len(seconds) > 1 else 0.0
     x, states, track = track_at(tracker, details.z, seconds, lag * interval)
     confidence = calibrated(model, details.z, x, _facts(details))
@@ -92,8 +95,7 @@ def fitted(model: PoseModel, fitter: PoseFitter, details: PredictionDetails) -> 
     Fits start from a tracker's poses if the model has one, and from the regressor's otherwise.
     """
     rate, followed = details.frames_per_second or model.frames_per_second, None
-    time = times_of(len(details), rate)
-    assert time is not None
+    time = _seconds(details, rate, "; a fit takes what is before a gap and after it for neighbours")
     if model.tracker is not None:
         followed = track_at(model.tracker, details.z, time, _LAG)[0]
     seen = _facts(details).seen
@@ -137,6 +139,12 @@ def _said_if_doubtful(poses: Poses, source: str) -> Poses:
     return poses
 
 
+def check_rate(rate: float | None, source: str, usual: float) -> None:
+    """Ask for the rate of masks that are to be tracked, if it is not known."""
+    if rate is None:
+        raise InputError(rate_wanted(source or "these masks", usual))
+
+
 def rate_wanted(source: str, usual: float) -> str:
     """Ask for the rate of some masks, which is perhaps the model's usual one."""
     return (
@@ -144,6 +152,18 @@ def rate_wanted(source: str, usual: float) -> str:
         f"silhouette.frames_per_second={usual:g} (in Python frames_per_second={usual:g}), or "
         "whatever it is"
     )
+
+
+def _seconds(details: PredictionDetails, rate: float, more: str | None = "") -> Array:
+    """Seconds of each mask (F,), by the numbers in their names.
+
+    What is doubtful about them is said, with something more, but for None.
+    """
+    numbered = NumberedFrames.of(details.names)
+    doubt = numbered.doubt(details.source, "masks")
+    if doubt and more is not None:
+        warnings.warn(doubt + more, stacklevel=4)
+    return np.array(times_of_numbers(numbered.numbers, rate))
 
 
 def _facts(details: PredictionDetails) -> MaskFacts:

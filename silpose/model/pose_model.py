@@ -15,7 +15,7 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.serialisation import State, prefixed
 from silpose.core.types import Array
 from silpose.descriptor import ShapeContextHistogram
-from silpose.model.answers import estimated, fitted, tracked
+from silpose.model.answers import check_rate, estimated, fitted, tracked
 from silpose.model.confidence import Confidence
 from silpose.model.described_masks import describe_masks, mask_options, spread
 from silpose.model.model_file import write_model_file
@@ -24,6 +24,7 @@ from silpose.model.pose_stream import PoseStream
 from silpose.model.poses import Poses
 from silpose.model.prediction_details import PredictionDetails
 from silpose.regression import Regressor
+from silpose.silhouette.masks import read_masks
 from silpose.tracking import Tracker
 
 Masks = NDArray[Any] | Sequence[ArrayLike]
@@ -179,6 +180,15 @@ class PoseModel:
             If the model has no tracker; if neither rate nor times are known; or as of `predict`.
         """
         tracker = self._tracker()
+        own = mask_options("nan", frames_per_second, options)
+        if not isinstance(masks, PredictionDetails):  # before time is spent on describing them
+            masks = read_masks(masks, own)
+            if time is None:
+                check_rate(
+                    frames_per_second or masks.frames_per_second,
+                    masks.source,
+                    self.frames_per_second,
+                )
         details = self.explain(masks, "nan", frames_per_second=frames_per_second, **options)
         return tracked(self, tracker, details, lag, time)
 

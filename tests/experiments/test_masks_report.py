@@ -5,11 +5,11 @@ from silpose.silhouette import MaskSequence
 from silpose.silhouette.person import select_person
 
 
-def seen(name="", **facts):
+def seen(name="", names="abc", **facts):
     mask = np.zeros((40, 30), np.uint8)
     mask[5:35, 10:20] = 1
     masks = [mask, 0 * mask, np.vstack([mask[5:], mask[:5]])]
-    sequence = MaskSequence(masks, ["a", "b", "c"], "'it'", "grey values", 25, **facts)
+    sequence = MaskSequence(masks, list(names), "'it'", "grey values", 25, **facts)
     shapes = np.array([mask.shape for mask in masks])
     return SeenTake(name, sequence, shapes, select_person(masks).facts)
 
@@ -24,6 +24,9 @@ def test_a_source_is_described_line_by_line():
     assert ["blank", "1: b"] in lines
     assert "left out    2 files (no mask): x.jpg, y.jpg\nleft out    1 file (no image)" in told
     assert "decided     a note" in told
+    assert "in time" not in told
+    (facts,) = report([seen(names=("1.png", "2.png", "4.png"))])
+    assert "in time     1 masks in 'it' are missing by the numbers" in in_columns(facts)
 
 
 def test_takes_are_named():

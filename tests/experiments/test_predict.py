@@ -11,7 +11,7 @@ from silpose.core.pose_space import ANGLES
 from silpose.experiments.predict import _with_options, predict
 from silpose.experiments.setup import fitter_of_model, prepare
 from silpose.fitting import Confidence, FittingOptions
-from silpose.model import load
+from silpose.model import PoseModel, load
 from silpose.silhouette import MaskSource
 from silpose.tracking import STATES, BeliefTracker
 
@@ -146,12 +146,13 @@ def test_the_run_shows_the_settings_of_the_model(run, own, model, tmp_path):
 
 
 def test_a_model_that_tracks_takes_blank_masks_and_asks_for_a_rate(
-    run, own, described, model, mask_folder, tmp_path
+    run, own, described, model, mask_folder, tmp_path, monkeypatch
 ):
     tracker = BeliefTracker(pose_width=0.7, descriptor_width=0.6).fit(described.train)
     replace(model, tracker=tracker).save(tmp_path / "model.npz")
     masks = MaskSource(str(mask_folder))
-    with pytest.raises(InputError, match=r"silhouette\.frames_per_second=15"):
+    with monkeypatch.context() as patch, pytest.raises(InputError, match=r"frames_per_second=15"):
+        patch.delattr(PoseModel, "explain")  # it is asked for before masks are described
         run("predict", replace(own, masks=masks), model=str(tmp_path))
     masks = replace(masks, frames_per_second=30)
     predicted = run("predict", replace(own, masks=masks), model=str(tmp_path), record=False)

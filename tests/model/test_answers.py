@@ -1,6 +1,7 @@
 import warnings
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 
@@ -141,3 +142,30 @@ def test_blank_frames_are_counted_as_blank_and_not_as_doubtful(model, masks):
         poses = own.track(masks[[0] + [4] * 12], frames_per_second=15)
     assert poses.doubtful.all()
     assert poses.summary().startswith("13 masks, 12 blank, 1 doubtful")
+
+
+def test_masks_that_are_missing_by_their_names_are_gaps_in_time(model, sequence, tmp_path):
+    kept = [0, 1, 2, 3, 7, 8, 9, 15]
+    for k in kept:
+        cv2.imwrite(str(tmp_path / f"frame_{k:04d}.png"), 255 * sequence.masks[k])
+    model = replace(model, confidence=Known(0.8))
+    said = rf"8 masks in '{tmp_path}' are missing .* first after 'frame_0003\.png'.* time: .* anew"
+    with pytest.warns(UserWarning, match=said + "$"):
+        tracked = model.track(tmp_path, frames_per_second=30)
+    by_time = model.track(sequence.masks[kept], time=np.array(kept) / 30)
+    np.testing.assert_allclose(tracked.time, np.array(kept) / 30)
+    np.testing.assert_allclose(tracked.x, by_time.x)
+    with pytest.warns(UserWarning, match=said + "$"):
+        np.testing.assert_allclose(model.predict(tmp_path, frames_per_second=10).time[-1], 1.5)
+    with pytest.warns(UserWarning, match=said + "; a fit takes"):
+        model.predict(tmp_path, fit=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # without a rate, no time was asked for
+        np.testing.assert_allclose(model.predict(tmp_path).time, np.array(kept) / 15)
+        model.track(tmp_path, time=np.arange(8))
+
+
+def test_a_rate_is_asked_for_before_masks_are_described(model, mask_folder, monkeypatch):
+    monkeypatch.delattr(PoseModel, "explain")
+    with pytest.raises(InputError, match=r"frame rate of .* is not known"):
+        model.track(mask_folder)

@@ -3,6 +3,7 @@
 from silpose.silhouette.masks.folders import image_files
 from silpose.silhouette.masks.mask_reader import MaskReader
 from silpose.silhouette.masks.mask_source import MaskSource
+from silpose.silhouette.masks.numbered_frames import NumberedFrames
 from silpose.silhouette.masks.other_formats import why_no_masks
 from silpose.silhouette.masks.packed_mask import PackedMask
 from silpose.silhouette.masks.read import read_masks
@@ -12,6 +13,7 @@ __all__ = [
     "MaskReader",
     "MaskSequence",
     "MaskSource",
+    "NumberedFrames",
     "PackedMask",
     "image_files",
     "read_masks",

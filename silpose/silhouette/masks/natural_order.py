@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
 _NUMBER = re.compile(r"(\d+(?:\.\d+)?)")
 _LAST_COUNT = re.compile(r"(.*\d.*?)(?<!\d)(\d+)(\D*)")  # behind another number
-_LAST_NUMBER = re.compile(r"(|.*\D)(\d+)(\D*)")
 _SIGNED = re.compile(r"(.*?)(-?)(\d+(?:\.\d+)?)(\D*)")  # the last number, and a sign
 _LEAST_STRETCH = 3  # names that count up, at least, to be a take
 
@@ -32,7 +30,7 @@ def in_natural_order(names: Sequence[str]) -> list[int]:
         Indices of the names.
     """
     counted = _counts_after_dots(names)
-    plain, below = _without_signs(names)
+    plain, below = without_signs(names)
     keys = [_key(*own, counted) for own in zip(names, plain, below, strict=True)]
     return sorted(range(len(names)), key=keys.__getitem__)
 
@@ -44,7 +42,7 @@ def without_numbers(name: str) -> str:
 
 def kinds_of_names(names: Sequence[str]) -> list[str]:
     """Replace the numbers in names, and the signs of those that count from below zero."""
-    return [without_numbers(name) for name in _without_signs(names)[0]]
+    return [without_numbers(name) for name in without_signs(names)[0]]
 
 
 def takes_among(names: Sequence[str]) -> list[int]:
@@ -73,36 +71,7 @@ def takes_among(names: Sequence[str]) -> list[int]:
     return starts if len(starts) > 1 and same and enough else []
 
 
-def frame_numbers(names: Sequence[str]) -> list[int]:
-    """Count frames from 0 by the last number in their names: those that are missing are gaps.
-
-    Parameters
-    ----------
-    names : sequence of str
-        In natural order, without suffixes.
-
-    Returns
-    -------
-    numbers : list of int
-        Consecutive where names differ in more than a number, or do not count in even steps.
-    """
-    consecutive = list(range(len(names)))
-    plain, below = _without_signs(names)
-    found = [match for name in plain if (match := _LAST_NUMBER.fullmatch(name))]
-    if len(found) < len(names) or len({(match[1], match[3]) for match in found}) != 1:
-        return consecutive
-    every = [-int(m[2]) if sign else int(m[2]) for m, sign in zip(found, below, strict=True)]
-    steps = Counter(b - a for a, b in pairwise(every))
-    if not steps:
-        return consecutive
-    usual, often = steps.most_common(1)[0]
-    uneven = usual < 1 or any(step < 1 or step % usual for step in steps)
-    if uneven or 2 * often < steps.total():
-        return consecutive
-    return [(number - every[0]) // usual for number in every]
-
-
-def _without_signs(names: Sequence[str]) -> tuple[list[str], list[bool]]:
+def without_signs(names: Sequence[str]) -> tuple[list[str], list[bool]]:
     """Take away the signs of last numbers, and say which names had one.
 
     A sign is told from a hyphen: among names that are alike, there is a zero without one only.

@@ -1,5 +1,6 @@
 """Masks of a person in real pictures: films, cameras and streams, without their background."""
 
+from silpose.silhouette.video.clock import times_of_numbers
 from silpose.silhouette.video.frame import Frame
 from silpose.silhouette.video.masked_frame import MaskedFrame
 from silpose.silhouette.video.open_source import open_source
@@ -15,4 +16,5 @@ __all__ = [
     "doubts_of",
     "even_times",
     "open_source",
+    "times_of_numbers",
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 FASTEST = 1000
 """Frames per second; containers without a rate tell their clock's."""
 
@@ -60,3 +62,9 @@ class Clock:
         self._last += seconds
         self._shift = None
         return self._last
+
+
+def times_of_numbers(numbers: Sequence[int], rate: float) -> list[float]:
+    """Seconds of frames that are numbered from 0, at so many per second."""
+    clock = Clock(rate)
+    return [clock.step(number * clock.interval) for number in numbers]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +11,8 @@ import numpy as np
 from silpose.core.errors import InputError
 from silpose.silhouette.masks.folders import image_files
 from silpose.silhouette.masks.image_files import read_photograph
-from silpose.silhouette.masks.natural_order import frame_numbers
-from silpose.silhouette.video.clock import USUAL, Clock
+from silpose.silhouette.masks.numbered_frames import NumberedFrames
+from silpose.silhouette.video.clock import USUAL, times_of_numbers
 from silpose.silhouette.video.frame import Frame, Picture, working_picture
 
 
@@ -48,9 +47,8 @@ class FolderFrames:
         self.longest_side = longest_side
         self.frames_per_second = rate
         self.announced = len(self.files)
-        numbers = frame_numbers([file.stem for file in self.files])
-        clock = Clock(rate or USUAL)
-        self._times = [clock.step(number * clock.interval) for number in numbers]
+        numbered = NumberedFrames.of([file.name for file in self.files])
+        self._times = times_of_numbers(numbered.numbers, rate or USUAL)
         if not self.files:
             raise InputError(f"there are no pictures in {self.name}: give a folder of them")
         if rate is None:
@@ -59,14 +57,8 @@ class FolderFrames:
                 "are taken: give silhouette.frames_per_second (in Python frames_per_second)",
                 stacklevel=3,
             )
-        gaps = [k for k, (a, b) in enumerate(pairwise(numbers)) if b > a + 1]
-        if gaps:
-            warnings.warn(
-                f"{numbers[-1] + 1 - len(numbers)} pictures in {self.name} are missing by the "
-                f"numbers in their names, first after '{self.files[gaps[0]].name}', and leave gaps "
-                "in time: if there are none, number the pictures anew",
-                stacklevel=3,
-            )
+        if doubt := numbered.doubt(self.name, "pictures"):
+            warnings.warn(doubt, stacklevel=3)
 
     @property
     def size(self) -> tuple[int, ...]:

@@ -3,7 +3,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from silpose.silhouette.masks.natural_order import (
-    frame_numbers,
     in_natural_order,
     kinds_of_names,
     takes_among,
@@ -72,23 +71,3 @@ def test_what_frames_have_in_common():
 )
 def test_names_that_count_anew_are_several_takes(names, starts):
     assert takes_among(names) == starts
-
-
-@pytest.mark.parametrize(
-    ("names", "numbers"),
-    [
-        (["f1", "f2", "f5", "f6"], [0, 1, 4, 5]),
-        (["0010", "0020", "0030", "0060", "0070"], [0, 1, 2, 5, 6]),
-        (["cam1_-1", "cam1_0", "cam1_1", "cam1_3"], [0, 1, 2, 4]),
-        (["0.1", "0.25", "0.5"], [0, 1, 2]),  # seconds
-        (["1690000000123", "1690000000157", "1690000000190"], [0, 1, 2]),  # milliseconds
-        (["a1", "a2", "b1", "b2", "b9"], [0, 1, 2, 3, 4]),
-        (["1_0", "1_1", "2_0", "2_1"], [0, 1, 2, 3]),
-        (["1", "2", "02", "3"], [0, 1, 2, 3]),
-        (["a", "b"], [0, 1]),
-        (["7"], [0]),
-        ([], []),
-    ],
-)
-def test_numbers_of_frames(names, numbers):
-    assert frame_numbers(names) == numbers
