@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from silpose.core.errors import InputError
 from silpose.core.types import Array
+from silpose.fitting import Fit
 from silpose.model.confidence import doubted_as_a_source
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.poses import Poses
@@ -101,9 +102,9 @@ def fitted(model: PoseModel, fitter: PoseFitter, details: PredictionDetails) -> 
     seen = _facts(details).seen
     masks = [m if own else np.zeros_like(m) for m, own in zip(details.masks, seen, strict=True)]
     fit = fitter.fit(masks, details.z, details.x, tracked=followed, frames_per_second=rate)
+    confidence = confidence_of_fit(model, fit, _facts(details))
     poses = Poses(
-        fit.x, model.space, fit.confidence, fit.state, time, iou=fit.iou, facts=details.facts,
-        fit=fit,
+        fit.x, model.space, confidence, fit.state, time, iou=fit.iou, facts=details.facts, fit=fit
     )  # fmt: skip
     return _said_if_doubtful(poses, details.source)
 
@@ -113,6 +114,13 @@ def confidence_of(model: PoseModel, z: Array, x: Array, facts: MaskFacts) -> Arr
     if model.confidence is None:
         return np.full(len(x), np.nan)
     return model.confidence.of(z, x, facts)
+
+
+def confidence_of_fit(model: PoseModel, fit: Fit, facts: MaskFacts) -> Array:
+    """Confidence (F,) in fitted poses, which may explain well what is upside down."""
+    if model.confidence is None:
+        return fit.confidence
+    return np.minimum(fit.confidence, model.confidence.highest(facts))
 
 
 def calibrated(model: PoseModel, z: Array, x: Array, facts: MaskFacts) -> Array:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from silpose.core.one_thread import OneThread
 from silpose.core.types import Array, Mask
 from silpose.fitting import SHAPES, Fit, FitterStream
-from silpose.model.answers import confidence_of, warn_without_calibration
+from silpose.model.answers import confidence_of, confidence_of_fit, warn_without_calibration
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.poses import Poses
 from silpose.silhouette.masks import MaskReader, MaskSource
@@ -123,7 +123,8 @@ class PoseStream:
             self._fitting.skip(missed)
         fitted, state = self._fitting.step(mask, x)
         fit = _last_fit(self._fitting, fitted, state, self._fitter.fitter.camera.elevation)
-        own = fitted[None], self._model.space, fit.confidence, [state]
+        confidence = confidence_of_fit(self._model, fit, facts)
+        own = fitted[None], self._model.space, confidence, [state]
         return Poses(*own, np.array([self._time]), iou=fit.iou, facts=facts, fit=fit)
 
 

@@ -17,12 +17,15 @@ from silpose.tracking import STATES, BeliefTracker
 class Known:
     """The same confidence in every pose."""
 
-    def __init__(self, value):
-        self.value, self.asked = value, []
+    def __init__(self, value, most=1.0):
+        self.value, self.most, self.asked = value, most, []
 
     def of(self, z, x, facts):
         self.asked.append((z, x, facts))
         return np.where(np.isfinite(x).all(axis=1), self.value, 0.0)
+
+    def highest(self, facts):
+        return np.full(len(facts.blank), self.most)
 
 
 @pytest.fixture(scope="module")
@@ -169,3 +172,10 @@ def test_a_rate_is_asked_for_before_masks_are_described(model, mask_folder, monk
     monkeypatch.delattr(PoseModel, "explain")
     with pytest.raises(InputError, match=r"frame rate of .* is not known"):
         model.track(mask_folder)
+
+
+def test_a_fit_is_no_surer_than_its_masks_allow(model, masks):
+    own = replace(model, confidence=Known(0.8, most=0.2))
+    assert own.predict(masks, blank="nan", fit=True).confidence.max() == 0.2
+    stream = own.stream(fit=True)
+    assert max(stream.step(mask).confidence[0] for mask in masks[:3]) == 0.2

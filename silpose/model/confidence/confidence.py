@@ -17,6 +17,9 @@ from silpose.silhouette.person import MaskFacts
 UNSEEN = 0.25
 """Confidence in a pose of a frame in which nobody was seen, as a tracker gives."""
 
+UPSIDE_DOWN = 0.25
+"""Highest confidence in a pose of a mask that looks like a person upside down."""
+
 _ARRAYS = tuple(f.name for f in fields(TrainingExamples) if f.name != "space")
 
 
@@ -57,8 +60,8 @@ class Confidence:
         Returns
         -------
         confidence : ndarray, shape (F,)
-            From 0 to 1; 0 where there is no pose, and 0.25 where there is a pose but nobody was
-            seen, as in the gaps of a track.
+            From 0 to 1; 0 where there is no pose, 0.25 where there is a pose but nobody was seen,
+            as in the gaps of a track, and at most 0.25 where somebody seems to be upside down.
         """
         posed, seen = np.isfinite(x).all(axis=1), np.isfinite(z).all(axis=1)
         confidence = np.where(posed, UNSEEN, 0.0)
@@ -68,7 +71,13 @@ class Confidence:
         own = None if facts is None else facts[judged]
         evidence = self.examples.evidence(z[judged], x[judged], own)
         confidence[judged] = probability_of(self.calibration.odds(evidence))
+        if own is not None:
+            confidence[judged] = np.minimum(confidence[judged], self.highest(own))
         return confidence
+
+    def highest(self, facts: MaskFacts) -> Array:
+        """Highest confidence (F,) in any pose of these masks, a fitted one, too."""
+        return np.where(self.examples.upside_down(facts), UPSIDE_DOWN, 1.0)
 
     def to_arrays(self) -> State:
         """Return everything as arrays, numbers and strings."""

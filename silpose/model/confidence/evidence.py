@@ -8,7 +8,7 @@ is right, all three are close, and agree with each other.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Self
 
@@ -35,6 +35,7 @@ NEIGHBOURS = 8
 _LOOK = 12  # height and width of the pixels by which silhouettes are compared
 _BLOCK = 256  # frames whose distances to all training examples are held at a time
 _TINY = 1e-6
+_FLIPPED = 0.85  # of the distance to looks of training: of people as they stand it is 0.9 and more
 _USUAL = (0.005, 0.995)  # quantiles between which training's aspects are usual
 _COARSE = 64.0  # pixels: a lower person is coarse
 
@@ -113,6 +114,20 @@ class TrainingExamples:
             for f in (slice(start, start + _BLOCK) for start in range(0, len(z), _BLOCK))
         ]
         return np.concatenate(parts) if parts else np.empty((0, len(EVIDENCE)))
+
+    def upside_down(self, facts: MaskFacts) -> NDArray[np.bool_]:
+        """Find masks that look clearly more like those of training when they are flipped, (F,)."""
+        flipped = replace(facts, thumbnails=facts.thumbnails[:, ::-1])
+        as_it_is, turned = (self._distance_of_looks(own) for own in (facts, flipped))
+        return np.asarray(turned < _FLIPPED * as_it_is)
+
+    def _distance_of_looks(self, facts: MaskFacts) -> Array:
+        """Mean distance to the nearest looks of training, shape (F,)."""
+        looks, lengths = looks_of(facts, len(facts.thumbnails)), self._squared_lengths[1]
+        blocks = (looks[start : start + _BLOCK] for start in range(0, len(looks), _BLOCK))
+        squared = (_squared(block, self.looks, lengths) for block in blocks)
+        nearest = [np.take_along_axis(own, _smallest(own), 1) for own in squared]
+        return np.asarray(np.sqrt(np.concatenate(nearest)).mean(axis=1), float)
 
     def _evidence(self, z: Array, x: Array, facts: MaskFacts | None) -> Array:
         own = type(self).of(np.maximum(z, 0), x, facts, self.space)

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from silpose.model.confidence import Confidence
-from silpose.model.confidence.confidence import UNSEEN
+from silpose.model.confidence.confidence import UNSEEN, UPSIDE_DOWN
 from silpose.model.confidence.odd_frames import facts_of
 
 
@@ -63,3 +63,16 @@ def test_restored_from_arrays(small, judged):
     z, x, facts, confidence = judged
     other = Confidence.from_arrays(small.confidence.to_arrays())
     np.testing.assert_array_equal(other.of(z, x, facts), confidence)
+
+
+def test_a_single_mask_upside_down_is_doubtful(small):
+    (take,) = small.described.data.test
+    descriptor = small.described.descriptor
+    for turned in (take.masks[:, ::-1], take.masks[:, ::-1, ::-1]):
+        masks, facts = facts_of(list(np.ascontiguousarray(turned)))
+        z = descriptor.transform(masks)
+        confidence = [
+            small.confidence.of(z[f : f + 1], take.x[f : f + 1], facts[f : f + 1])
+            for f in range(0, 60, 7)
+        ]
+        assert np.max(confidence) <= UPSIDE_DOWN < 0.5
