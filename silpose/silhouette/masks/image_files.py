@@ -34,10 +34,11 @@ _LONGEST_HOLD = 10  # frames; an animation that shows a picture for longer pause
 
 @dataclass(frozen=True)
 class Animation:
-    """Pictures of one file or video, and their rate if they have one."""
+    """Pictures of one file or video, their rate if they have one, and what is doubtful."""
 
     pictures: list[Picture]
     frames_per_second: float | None = None
+    doubts: tuple[str, ...] = ()
 
 
 def read_image_file(file: Path) -> Animation:

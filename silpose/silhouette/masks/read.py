@@ -60,7 +60,7 @@ def read_masks(source: Any, options: MaskSource | None = None) -> MaskSequence:
     found = _find(source, options)
     pictures = found.animation.pictures
     encoding = decide(pictures, options, found.source)
-    doubts = (*found.doubts, *encoding.doubts)
+    doubts = (*found.doubts, *found.animation.doubts, *encoding.doubts)
     for doubt in doubts:
         warnings.warn(doubt, UserWarning, stacklevel=2)
     names = [picture.name for picture in pictures]

@@ -11,13 +11,12 @@ import cv2
 from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
+from silpose.silhouette.masks.decoder_errors import BARE, DecoderErrors, cut_off
 from silpose.silhouette.video.captures import CONVERT, name_of, open_capture
 from silpose.silhouette.video.clock import FASTEST, USUAL, Clock
 from silpose.silhouette.video.frame import Frame, Picture, alike, working_picture
 
-_BARE = (".h264", ".264", ".avc", ".h265", ".265", ".hevc", ".mjpeg", ".mjpg", ".m2v")
 _WIDEST = 4.0  # pixels that are wider or narrower than that are a header's mistake
-_WHOLE = 0.9  # share of the frames announced, below which a film is cut off
 
 
 class FilmFrames:
@@ -40,10 +39,10 @@ class FilmFrames:
         capture = open_capture(source)
         told = capture.get(cv2.CAP_PROP_FPS)
         self._counts = rate is not None
-        self._said_cut = False
+        self._judged = False
         known = told if 0 < told < FASTEST else None
         self.frames_per_second: float | None = rate or known
-        if rate is None and (known is None or source.suffix.lower() in _BARE):
+        if rate is None and (known is None or source.suffix.lower() in BARE):
             warnings.warn(
                 f"the video {self.name} tells no frame rate, so {known or USUAL:g} frames per "
                 "second are taken: give silhouette.frames_per_second (in Python frames_per_second)",
@@ -65,16 +64,21 @@ class FilmFrames:
         """Decode frame by frame."""
         capture = open_capture(self.source)
         clock = Clock(self.frames_per_second or USUAL)
-        index = 0
+        index, stamps = 0, [0.0, 0.0]
+        errors = None if self._judged else DecoderErrors(self.source)
         try:
             while (read := capture.read())[0]:
                 if not alike(read[1].shape, self._shape):
                     break
                 yield Frame(index, clock.step(self._stamp(capture, index)), self._scaled(read[1]))
+                stamps[min(index, 1)] = capture.get(cv2.CAP_PROP_POS_MSEC) / 1000
                 index += 1
+            lasting = (stamps[1] - stamps[0]) * capture.get(cv2.CAP_PROP_FPS)
+            self._say_if_damaged(index, lasting, errors)
         finally:
             capture.release()
-        self._say_if_cut(index)
+            if errors is not None:
+                errors.stop()
 
     def sample(self, frames: int) -> Iterator[Frame]:
         """Decode so many frames, evenly over the film."""
@@ -130,14 +134,15 @@ class FilmFrames:
         stamp = capture.get(cv2.CAP_PROP_POS_MSEC) / 1000
         return stamp if stamp > 0 or index == 0 else None
 
-    def _say_if_cut(self, frames: int) -> None:
-        if frames < _WHOLE * self.announced and not self._said_cut:
-            self._said_cut = True
-            warnings.warn(
-                f"the video {self.name} ends after {frames} of {self.announced} frames: it is cut "
-                "off or damaged, or of another size from there on",
-                stacklevel=3,
-            )
+    def _say_if_damaged(self, frames: int, lasting: float, errors: DecoderErrors | None) -> None:
+        """Say once what is wrong with the whole film."""
+        if errors is None:
+            return
+        self._judged = True
+        if doubt := cut_off(self.source, frames, self.announced, lasting):
+            errors.stop()
+        if doubt := doubt or errors.doubt():
+            warnings.warn(doubt, stacklevel=3)
 
 
 def _aspect_of(capture: cv2.VideoCapture) -> float:

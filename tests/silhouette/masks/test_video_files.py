@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from silpose.core.errors import InputError
-from silpose.silhouette.masks.video_files import read_video
+from silpose.silhouette.masks.video_files import _uneven, read_video
 
 
 def write(file, frames, rate, codec="mp4v"):
@@ -35,3 +35,21 @@ def test_what_is_no_video_is_named_and_nothing_else_is_printed(tmp_path, capfd):
     with pytest.raises(InputError, match=r"none\.avi' (has no frames|is no video)"):
         read_video(tmp_path / "none.avi")
     assert capfd.readouterr().err == ""
+
+
+def test_a_film_of_masks_that_is_cut_off_or_uneven_is_doubted(tmp_path):
+    frames = [np.full((48, 64), 5 * k, np.uint8) for k in range(40)]
+    write(tmp_path / "whole.avi", frames, 25, "MJPG")
+    data = (tmp_path / "whole.avi").read_bytes()
+    (tmp_path / "cut.avi").write_bytes(data[: len(data) // 2])
+    assert read_video(tmp_path / "whole.avi").doubts == ()
+    (doubt,) = read_video(tmp_path / "cut.avi").doubts
+    assert "of 40 frames: it is cut off or damaged" in doubt
+    (tmp_path / "bare.mjpeg").write_bytes(
+        b"".join(cv2.imencode(".jpg", frame)[1].tobytes() for frame in frames)
+    )
+    assert read_video(tmp_path / "bare.mjpeg").frames_per_second is None
+    even = np.arange(60) / 25
+    late = np.where(even > 1, 2 * even - 1, even)
+    assert not _uneven(tmp_path, even, 25) and not _uneven(tmp_path, even[::-1], 25)
+    assert "come at uneven times, and are taken for 25 frames" in _uneven(tmp_path, late, 25)
