@@ -9,6 +9,7 @@ Results = Mapping[str, Mapping[str, float]]
 
 HEADLINES: Mapping[str, tuple[str, str]] = {
     "mean_angular_error_deg": ("angles", "{:.2f}°"),
+    "varied_scenes_error_deg": ("varied scenes", "{:.2f}°"),
     "mean_joint_distance": ("joints, own units", "{:.2f}"),
     "heading_median_deg": ("heading", "{:.1f}°"),
     "heading_over_20deg": ("off by 20°", "{:.0%}"),

@@ -76,16 +76,17 @@ def format_headings(axes: Axes) -> None:
     axes.set(ylim=(-180, 180), yticks=(-180, -90, 0, 90, 180), ylabel="heading, degrees")
 
 
-def with_gaps(headings: Array) -> Array:
-    """Headings (F,) with NaN where they wrap from 180 to -180, so that a line has a gap there."""
-    wrapped = np.abs(np.diff(headings, prepend=headings[:1])) > 180
-    return np.where(wrapped, np.nan, headings)
+def with_gaps(headings: Array) -> tuple[Array, Array]:
+    """Frames and headings (F,), with NaN between them where they wrap from 180 to -180."""
+    wraps = 1 + np.flatnonzero(np.abs(np.diff(headings)) > 180)
+    frames = np.arange(len(headings), dtype=float)
+    return np.insert(frames, wraps, np.nan), np.insert(headings, wraps, np.nan)
 
 
 def plot_headings(
     axes: Axes, space: PoseSpace, true: Array, estimated: Array, label: str = "estimated"
 ) -> None:
     """Plot true headings of poses (F, D) over time as a line, and estimated ones as dots."""
-    axes.plot(with_gaps(space.heading(true)), color=TRUE, lw=2.5, alpha=0.7, label="true")
+    axes.plot(*with_gaps(space.heading(true)), color=TRUE, lw=2.5, alpha=0.7, label="true")
     axes.plot(space.heading(estimated), ".", color=ESTIMATED, ms=4, label=label)
     format_headings(axes)

@@ -85,7 +85,7 @@ def _draw_overlaps(
 ) -> None:
     """Draw frames as columns, and as rows ``(title, silhouettes, overlaps, errors)``."""
     panels = figure.subplots(len(rows), len(frames))
-    window = _window([masks[frame] for frame in frames])
+    window = person_window([masks[frame] for frame in frames])
     for line, (title, silhouettes, iou, errors) in zip(panels, rows, strict=True):
         for axes, frame in zip(line, frames, strict=True):
             draw_overlap(axes, masks[frame], silhouettes[frame])
@@ -106,7 +106,7 @@ def _draw_overlaps(
     )
 
 
-def _window(masks: Sequence[Mask]) -> tuple[float, float, float, float]:
+def person_window(masks: Sequence[Mask]) -> tuple[float, float, float, float]:
     """Left, right, bottom and top of what holds the person in all masks."""
     down, across = np.nonzero(np.any(masks, axis=0))
     margin = 0.06 * np.ptp(down)

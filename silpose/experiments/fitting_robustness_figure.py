@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from silpose.core.types import Mask
 from silpose.experiments.figures import NEUTRAL, headline, legend_above, without_ink
-from silpose.experiments.fitting_figure import draw_overlap
+from silpose.experiments.fitting_figure import draw_overlap, person_window
 from silpose.recording import palette
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import styled
@@ -35,16 +35,16 @@ def fitting_robustness_figure(
     strength : float
         Of the degradation.
     """
-    figure = Figure(figsize=(13, 7.2), layout="constrained")
+    figure = Figure(figsize=(13, 6.8), layout="constrained")
     grid = figure.add_gridspec(2, 1, height_ratios=[1.3, 1])
     _plot_losses(figure.add_subfigure(grid[0]).subplots(), lost)
     below = figure.add_subfigure(grid[1])
+    window = person_window([mask | silhouette for mask, silhouette in shown.values()])
     for axes, (kind, (mask, silhouette)) in zip(
         np.ravel(below.subplots(1, len(shown), squeeze=False)), shown.items(), strict=True
     ):
         draw_overlap(axes, mask, silhouette)
-        rows, columns = np.nonzero(mask | silhouette)
-        axes.set(xlim=(columns.min() - 4, columns.max() + 4), ylim=(rows.max() + 4, rows.min() - 4))
+        axes.set(xlim=window[:2], ylim=window[2:])
         without_ink(axes)
         axes.set_title(in_words(kind), loc="center", fontsize=9)
     headline(

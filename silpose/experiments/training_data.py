@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from silpose.core.progress import bar
 from silpose.core.stages import timed
@@ -21,10 +22,11 @@ from silpose.experiments.setup import Components, renderer_of
 from silpose.model import DescribedDataset, describe_dataset, describe_takes
 from silpose.recording import Recording, Result, record_study
 from silpose.recording.captions import in_words
-from silpose.recording.figure_style import styled
+from silpose.recording.figure_style import INK, styled
 from silpose.regression import Regressor, check_methods
 
 PLAIN, VARIED = "one camera", "varied bodies and cameras"
+_APART = 1.03  # of curves, as a factor of the number of frames: where they coincide both are seen
 
 Scenes = Mapping[str, Any]
 """Ranges from which bodies and cameras are drawn: parameters of `SceneSampler`."""
@@ -87,7 +89,7 @@ def training_data(
     record = partial(
         record_study,
         series=series,
-        title=f"mean angular error of {in_words(methods[0])}, degrees, on {VARIED}; trained on",
+        title=f"{in_words(methods[0])}, error in degrees, by training data",
         frames_per_second=described.frames_per_second,
     )
     return Result(
@@ -95,7 +97,9 @@ def training_data(
         _summary(rows),
         rows=rows,
         figure=_figure(rows, methods),
-        recording=Recording("error by training data, frames of it, and method", record),
+        recording=Recording(
+            f"Errors by method, training data and frames of it. Over time: on {VARIED}", record
+        ),
     )
 
 
@@ -146,21 +150,24 @@ def _values(rows: Sequence[Row], **where: object) -> list[float]:
 
 @styled
 def _figure(rows: Sequence[Row], methods: Sequence[str]) -> Figure:
+    """Error by number of frames: training data told apart by colour, methods by the line."""
     figure = Figure(figsize=(12, 5.6), layout="constrained")
     styles = dict(zip(methods, ("-", "--", "-."), strict=False)) | {"oracle": ":"}
-    counts = [count for (count,) in _distinct(rows, "frames")]
+    varieties = [str(variety) for (variety,) in _distinct(rows, "training")]
+    colours = dict(zip(varieties, cycle(SERIES), strict=False))
+    counts = np.array([count for (count,) in _distinct(rows, "frames")])
     for axes, test in zip(figure.subplots(1, 2, sharey=True), (PLAIN, VARIED), strict=True):
-        for (variety,), colour in zip(_distinct(rows, "training"), cycle(SERIES), strict=False):
+        for k, (variety, colour) in enumerate(colours.items()):
+            beside = counts * _APART ** (k - (len(colours) - 1) / 2)
             for method, style in styles.items():
                 own = [
                     _values(rows, training=variety, frames=count, method=method, test=test)
                     for count in counts
                 ]
                 means = [float(np.mean(values)) for values in own]
-                label = f"{in_words(method)}: {in_words(str(variety))}"
-                axes.plot(counts, means, style, color=colour, marker="o", label=label)
-                for count, values in zip(counts, own, strict=True):
-                    axes.plot([count] * len(values), values, "_", color=colour, ms=8)
+                axes.plot(beside, means, style, color=colour, marker="o")
+                for place, values in zip(beside, own, strict=True):
+                    axes.plot([place] * len(values), values, "_", color=colour, ms=8)
         axes.set(xscale="log", xlabel="training frames")
         axes.set_title(f"unseen performers, {test}")
         axes.set_xticks(counts, [f"{count:,}" for count in counts])
@@ -168,8 +175,10 @@ def _figure(rows: Sequence[Row], methods: Sequence[str]) -> Figure:
         axes.grid(axis="y", alpha=0.3)
     figure.axes[0].set_ylabel(in_words("mean_angular_error_deg"))
     figure.axes[0].set_ylim(0, None)
-    handles, labels = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=min(3, len(labels)))
+    trained = [Line2D([], [], color=c, lw=4, label=in_words(v)) for v, c in colours.items()]
+    lines = [Line2D([], [], color=INK, ls=s, label=in_words(m)) for m, s in styles.items()]
+    for axes, handles in zip(figure.axes, (trained, lines), strict=True):
+        axes.legend(handles=handles, loc="lower left")  # no error is as low
     headline(
         figure,
         "How much do more frames, bodies and cameras help on unseen performers?",

@@ -30,8 +30,9 @@ def test_values_have_their_unit():
 
 
 def test_a_line_has_a_gap_where_the_heading_wraps():
-    gaps = np.isnan(with_gaps(np.array([170.0, 178, -179, -170, 175])))
-    assert gaps.tolist() == [False, False, True, False, True]
+    frames, headings = with_gaps(np.array([170.0, 178, -179, -170, 175]))
+    assert np.isnan(frames).tolist() == [False, False, True, False, False, True, False]
+    np.testing.assert_array_equal(headings, [170, 178, np.nan, -179, -170, np.nan, 175])
 
 
 def test_left_is_lighter_than_right_and_neither_changes_its_hue():

@@ -62,3 +62,12 @@ def test_the_figure_has_a_panel_for_each_test(training_data):
 def test_motion_must_be_rendered(run, authors):
     with pytest.raises(InputError, match="training_data renders motion"):
         run("training_data", authors, varieties=VARIETIES, test_scenes=TEST_SCENES)
+
+
+def test_legends_cover_no_curve(training_data):
+    figure = training_data.result.figure
+    figure.canvas.draw()
+    for axes in figure.axes:
+        highest = axes.get_legend().get_window_extent().y1
+        lowest = min(min(line.get_ydata()) for line in axes.lines)
+        assert axes.transData.transform((1, lowest))[1] > highest
