@@ -80,14 +80,11 @@ class FrameLogger:
     ) -> None:
         """Log angles ``(F,)`` like numbers, with a gap where they turn past 180 degrees."""
         self.static(entity, rr.SeriesLines(colors=colour, names=name, widths=width))
-        wraps = 1 + np.flatnonzero(np.abs(np.diff(degrees)) > 180)
-        frames = np.insert(np.arange(self._frames), wraps, wraps)
-        counts = np.insert(np.ones(self._frames, int), wraps, 0)  # a row without a value is a gap
+        frames, columns = columns_with_gaps(degrees, 360)
         index = [
             rr.TimeColumn("frame", sequence=frames),
             rr.TimeColumn("time", duration=self._times[frames]),
         ]
-        columns = rr.Scalars.columns(scalars=degrees).partition(counts)
         self._recording.send_columns(entity, index, columns)
 
     def errors(self, by_method: Mapping[str, Array]) -> None:
@@ -242,3 +239,26 @@ def _named_joints(
     return rr.AnnotationContext(
         rr.ClassDescription(info=info, keypoint_annotations=joints, keypoint_connections=bones)
     )
+
+
+def columns_with_gaps(
+    values: Array, turn: float
+) -> tuple[NDArray[np.int_], rr.ComponentColumnList]:
+    """Rows of numbers (F,) that go around, with a row that has no number where they wrap.
+
+    Parameters
+    ----------
+    values : ndarray, shape (F,)
+    turn : float
+        What they begin again after.
+
+    Returns
+    -------
+    rows : ndarray of int, shape (R,)
+        Which value's time each has.
+    columns : rerun.ComponentColumnList
+    """
+    wraps = 1 + np.flatnonzero(np.abs(np.diff(values)) > turn / 2)
+    rows = np.insert(np.arange(len(values)), wraps, wraps)
+    counts = np.insert(np.ones(len(values), int), wraps, 0)
+    return rows, rr.Scalars.columns(scalars=values).partition(counts)

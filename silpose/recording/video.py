@@ -15,6 +15,7 @@ import rerun as rr
 from silpose.core.pose_space import ANGLES
 from silpose.core.types import Array, Mask
 from silpose.recording import entity_paths, palette
+from silpose.recording.frame_logger import columns_with_gaps
 from silpose.recording.header import Header
 from silpose.recording.layout import video_layout
 from silpose.recording.stream import FanOut, live_stream, recording_stream, send_header
@@ -81,15 +82,16 @@ class VideoRecorder:
         """Record the gait phase of all steps so far, which is known once strides are complete."""
         from silpose.evaluation.gait import gait_phase  # loads SciPy's filters
 
-        index = [
-            rr.TimeColumn("frame", sequence=self._indices),
-            rr.TimeColumn("time", duration=self._times),
-        ]
+        indices, times = np.array(self._indices), np.array(self._times)
         for side, phase in gait_phase(report, self._times).items():
+            rows, columns = columns_with_gaps(phase, 100)
             self._recording.send_columns(
                 entity_paths.below(entity_paths.GAIT_PHASE, side),
-                indexes=index,
-                columns=rr.Scalars.columns(scalars=phase),
+                indexes=[
+                    rr.TimeColumn("frame", sequence=indices[rows]),
+                    rr.TimeColumn("time", duration=times[rows]),
+                ],
+                columns=columns,
             )
 
     def finish(self, words: str, results: Mapping[str, Mapping[str, float]]) -> None:

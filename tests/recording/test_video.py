@@ -83,6 +83,16 @@ def test_the_gait_phase_is_known_within_strides(recording, logged):
     assert phase[3] == pytest.approx(50)
 
 
+def test_the_gait_phase_has_a_gap_where_a_stride_follows_another(tmp_path, steps, header, logged):
+    path, later = tmp_path / "two.rrd", replace(STRIDE, start=0.3, end=0.5)
+    report = GaitReport((), (STRIDE, later), (), (), "forward", ())
+    record_video(header(path), iter(steps), (96, 96), 15.0, report=report)
+    entity = entities.below(entities.GAIT_PHASE, "left")
+    assert logged(path, entity, "frame") == [0, 1, 2, 3, 4, 5, 5]
+    phase = logged(path, entity, "Scalars:scalars")
+    assert [len(row) for row in phase] == [1, 1, 1, 1, 1, 0, 1]
+
+
 def test_masks_alone_keep_no_picture(tmp_path, steps, header):
     file = tmp_path / "private.rrd"
     record_video(header(file), steps, (96, 96), 15.0, keep_pictures=False)
