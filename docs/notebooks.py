@@ -27,6 +27,7 @@ DOCS = Path(__file__).parent
 NOTEBOOKS, GALLERY = DOCS.parent / "notebooks", DOCS / "gallery"
 SHOWN = ("text/html", "text/markdown", "image/png", "text/plain")  # the first of an output
 WIDGET = "application/vnd.jupyter.widget-view+json"
+DARK = "static/theme-dark.css"  # of nbconvert's template
 WIDTH = 640  # pixels of a thumbnail
 STYLE = """
 :root { color-scheme: light dark; }
@@ -52,14 +53,16 @@ def executed(path: Path) -> NotebookNode:
 
 
 def page(notebook: NotebookNode, title: str) -> str:
-    """Render an executed notebook as HTML that fetches nothing."""
+    """Render an executed notebook as HTML that fetches nothing, light or dark as the reader's."""
     exporter = HTMLExporter(
         embed_images=True, jquery_url="", mathjax_url="", mermaid_js_url="", require_js_url=""
     )
     exporter.config.NbConvertBase.display_data_priority = list(SHOWN)
     exporter.config.HTMLExporter.preprocessors = []
     text, _ = exporter.from_notebook_node(notebook, {"metadata": {"name": title}})
-    return str(text)
+    dark = next(Path(each, DARK) for each in exporter.template_paths if Path(each, DARK).exists())
+    style = f"@media (prefers-color-scheme: dark) {{ {dark.read_text(encoding='utf-8')} }}"
+    return str(text).replace("</head>", f"<style>{style}</style></head>", 1)
 
 
 def heading(notebook: NotebookNode) -> tuple[str, str]:

@@ -91,9 +91,9 @@ print(f"error on the test file {errors['rvm']:.1f}°; of the mean pose {errors['
 # **4. Are the masks correct?** One whole person, of any size and any usual encoding; `encoding`
 # says how they were read.
 #
-# *What may go wrong:* limbs out of the frame, a floor or a shadow that is white as well. silpose
-# does not segment images: use any segmentation or, with a camera that stands still,
-# `cv2.createBackgroundSubtractorMOG2()`.
+# *What may go wrong:* limbs out of the frame, a floor or a shadow that is white as well. Of a film
+# of a person, `silpose video` makes the masks itself (notebook 09); masks of any other segmentation
+# are read as they are.
 
 # %%
 from silpose.silhouette import read_masks

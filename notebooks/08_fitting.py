@@ -76,17 +76,18 @@ before = list(render(Body(), test.camera, ANGLES.rotations(estimated)))
 worst = int(np.argmin([overlap(*pair) for pair in zip(test.masks, before, strict=True)]))
 trace = trace_frame(fitter, test.masks[worst], estimated[worst])
 error = ANGLES.distance(test.x[worst], trace.x)
-_, row = plt.subplots(1, 6, figsize=(12, 4))
+_, row = plt.subplots(1, 6, figsize=(12, 3.4))
 for axes, k in zip(row, (0, 1, 2, 3, 5, 10), strict=True):
     draw_overlap(axes, trace.mask, trace.silhouettes[k])
     axes.set(xlim=(60, 196), ylim=(250, 6))
-    axes.set_title(f"{k} iterations: {error[k]:.1f}°", fontsize=9)
+    axes.set_title(f"iteration {k}: {error[k]:.1f}°", fontsize=9)
     axes.axis("off")
 plt.show()
 
 # %% [markdown]
-# **4. The whole take.** Alone, each frame tells left from right by chance; as a take, whose poses
-# follow each other, it does not. Poses of similar training silhouettes are tried as further starts.
+# **4. The whole take.** Alone, a frame may stop where a limb lies the wrong way, as the arms above,
+# and it tells left from right by chance; as a take, whose poses follow each other, it does not.
+# Poses of similar training silhouettes are tried as further starts.
 
 # %%
 from silpose.model import PoseFitter
@@ -125,8 +126,8 @@ for row in coverage_by_limb(test.x, fit.x, fit.covariance)[:3]:
     print(f"{row['metric'].split('_')[1]:6}: 90 % intervals hold the truth in {row['value']:.0%}")
 
 # %% [markdown]
-# **6. Watch it.** In the first tab the take; in the second one the frame above, on the timeline
-# *iteration*, which is chosen at the bottom left.
+# **6. Watch it.** In the viewer's first tab the take; in the second one the frame above, on the
+# timeline *iteration*, which is chosen at the bottom left.
 
 # %%
 import silpose

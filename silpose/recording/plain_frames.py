@@ -136,7 +136,7 @@ class PlainFrames:
         posed = self.estimated is not None
         panels = {
             "silhouette": (bool(self.masks), self._draw_mask),
-            "estimated pose": (bool(self.masks) and posed, self._draw_overlay),
+            "estimate": (bool(self.masks) and posed, self._draw_overlay),
             "in 3D": (posed, self._draw_pose),
         }
         return {title: draw for title, (has, draw) in panels.items() if has}
