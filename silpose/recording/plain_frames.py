@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Self
@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
+from scipy.ndimage import gaussian_filter1d
 from scipy.spatial.transform import Rotation
 
 from silpose.core.errors import InputError
@@ -20,7 +21,8 @@ from silpose.core.pose_space import SPACES, PoseSpace
 from silpose.core.types import Array, Mask
 from silpose.model.image_overlay import joints_in_image
 from silpose.recording import palette
-from silpose.recording.read import read_masks, read_recording
+from silpose.recording.read import read_recording
+from silpose.recording.recorded_masks import read_masks, read_overlay
 from silpose.silhouette import Camera
 
 _DARK, _PALE = (18, 19, 22), (190, 192, 198)  # as in the viewer
@@ -32,6 +34,8 @@ _EYE = Camera(elevation=12.0, focal_length=2.0)  # looks at the pose in 3D
 _LIFT = 0.12  # metres by which the pose stands above what the eye looks at
 _TURN = 35.0  # degrees that the eye swings to either side of the recorded camera,
 _PERIOD = 90  # once in so many frames
+_PAST = 1.5  # times as large as the person: the part of the image in which such a one stays
+_AROUND = 32  # frames to either side over which a square that goes along is smoothed
 _TILE, _TILES = 0.5, 2  # metres, and tiles to each side, of the ground
 
 Picture = NDArray[np.uint8]
@@ -49,12 +53,16 @@ class PlainFrames:
     estimated, true : ndarray, shape (F, D), or None
         Poses, where the recording has them.
     space : PoseSpace
+    overlay : mapping of int to ndarray, each (B, 2, 2), default={}
+        Ends of the bones of the estimated pose in the mask, by frame, where the camera is known;
+        elsewhere the pose gets the size of the person.
     """
 
     masks: Mapping[int, Mask]
     estimated: Array | None
     true: Array | None
     space: PoseSpace
+    overlay: Mapping[int, Array] = field(default_factory=dict)
 
     @classmethod
     def read(cls, recording: str | Path) -> Self:
@@ -72,7 +80,9 @@ class PlainFrames:
         if not masks and estimated is None:
             raise InputError(f"'{recording}' holds neither masks nor poses")
         own = (s for s in SPACES.values() if s.columns == recorded.columns)
-        return cls(masks, estimated, true, next(own, SPACES["angles"]))
+        space = next(own, SPACES["angles"])
+        overlay = read_overlay(recording) if "fitted" in by_name else {}
+        return cls(masks, estimated, true, space, overlay)
 
     def __len__(self) -> int:
         """Count the frames."""
@@ -142,17 +152,34 @@ class PlainFrames:
         return {title: draw for title, (has, draw) in panels.items() if has}
 
     @cached_property
-    def _window(self) -> tuple[float, float, float]:
-        """Left and top, and the size, of a square around the person in all masks."""
-        x, y, width, height = cv2.boundingRect(np.any(list(self.masks.values()), axis=0).view("u1"))
-        size = 1.12 * max(width, height, 1)
-        return x + (width - size) / 2, y + (height - size) / 2, size
+    def _window(self) -> tuple[dict[int, Array], float]:
+        """Left and top by frame, and the size, of a square around the person.
+
+        It stands still, unless the person walks past, as in films: then it goes along.
+        """
+        boxes = np.array([cv2.boundingRect(mask) for mask in self.masks.values()], dtype=float)
+        frames, seen = np.array([*self.masks]), boxes[:, 2] > 0
+        if not seen.any():
+            boxes[:, 2:], seen = 1.0, ~seen
+        low, sizes = boxes[seen, :2], boxes[seen, 2:]
+        high, largest = low + sizes, float(sizes.max())
+        ends = low.min(axis=0), high.max(axis=0)
+        middle = np.tile(np.mean(ends, axis=0), (len(boxes), 1))
+        size = float(np.max(ends[1] - ends[0]))
+        if size > _PAST * largest:
+            own = (low + high).T / 2
+            middle = np.stack([np.interp(frames, frames[seen], part) for part in own], axis=1)
+            beyond = np.pad(middle, [(_AROUND, _AROUND), (0, 0)], "reflect", reflect_type="odd")
+            middle = gaussian_filter1d(beyond, _AROUND / 4, axis=0)[_AROUND:-_AROUND]
+            size = largest
+        size *= 1.12
+        return dict(zip(frames.tolist(), middle - size / 2, strict=True)), size
 
     def _draw_mask(self, canvas: Picture, frame: int, colour: palette.Colour = _PALE) -> None:
         if (mask := self.masks.get(frame)) is None:
             return
-        left, top, size = self._window
-        scale = len(canvas) / size
+        corners, size = self._window
+        (left, top), scale = corners[frame], len(canvas) / size
         place = np.array([[scale, 0, -scale * left], [0, scale, -scale * top]])
         inside = cv2.warpAffine(255 * mask, place, canvas.shape[:2], flags=cv2.INTER_LINEAR)
         canvas[inside > 127] = colour
@@ -162,9 +189,12 @@ class PlainFrames:
         mask, pose = self.masks.get(frame), self._pose(self.estimated, frame)
         if mask is None or pose is None:
             return
-        whole = not (mask[[0, -1]].any() or mask[:, [0, -1]].any())
-        (points,) = joints_in_image(pose[None], [mask], np.array([whole]))
-        self._draw_bones(canvas, (points - self._window[:2]) / self._window[2], palette.ESTIMATED)
+        if (ends := self.overlay.get(frame)) is None:
+            whole = not (mask[[0, -1]].any() or mask[:, [0, -1]].any())
+            (points,) = joints_in_image(pose[None], [mask], np.array([whole]))
+            ends = points[np.array(self.space.bones)]
+        corners, size = self._window
+        self._draw_bones(canvas, (ends - corners[frame]) / size, palette.ESTIMATED)
 
     def _draw_pose(self, canvas: Picture, frame: int) -> None:
         turn = Rotation.from_euler("Y", _TURN * np.sin(2 * np.pi * frame / _PERIOD), degrees=True)
@@ -180,7 +210,7 @@ class PlainFrames:
         ):
             if (pose := self._pose(x, frame)) is not None:
                 points = _seen(turn.apply(pose), _LIFT)
-                self._draw_bones(canvas, points, colour, radius)
+                self._draw_bones(canvas, points[np.array(self.space.bones)], colour, radius)
 
     @cached_property
     def _ground(self) -> float:
@@ -196,12 +226,12 @@ class PlainFrames:
         return self.space.joints(x[frame : frame + 1])[0]
 
     def _draw_bones(
-        self, canvas: Picture, points: Array, colour: palette.Colour, radius: float = _BONE
+        self, canvas: Picture, ends: Array, colour: palette.Colour, radius: float = _BONE
     ) -> None:
-        """Draw bones, the left side light and the right side dark; the panel's width is 1."""
-        for bone in self.space.bones:
-            side = self.space.joint_names[bone[1]].split("_")[0]
-            _draw_line(canvas, points[list(bone)], palette.shade(colour, side), radius)
+        """Draw bones (B, 2, 2), left ones light and right ones dark; the panel's width is 1."""
+        for own, (_, joint) in zip(ends, self.space.bones, strict=True):
+            side = self.space.joint_names[joint].split("_")[0]
+            _draw_line(canvas, own, palette.shade(colour, side), radius)
 
 
 def _titled(picture: Picture, title: str) -> Picture:

@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 from rerun.chunk import Chunk, RrdReader
 
 from silpose.core.errors import InputError
-from silpose.core.types import Array, Mask
+from silpose.core.types import Array
 from silpose.recording import entity_paths
 
 _MAGIC = b"RRF2"  # first bytes of a file of Rerun's, before its version
-_MASK_CLASSES = (1, 2)  # of segmentation images: the mask alone, or with a body or without
 _POSES = (
     (entity_paths.TRUE_POSE, "true"),
     (entity_paths.ESTIMATED_POSE, "estimated"),
@@ -153,33 +152,6 @@ def frames_of(recording: str | Path) -> range:
         for end in (frames.min(), frames.max())
     ]
     return range(min(ends), max(ends) + 1) if ends else range(0)
-
-
-def read_masks(recording: str | Path) -> dict[int, Mask]:
-    """Read the masks of a recording.
-
-    Parameters
-    ----------
-    recording : path
-        An ``.rrd`` file.
-
-    Returns
-    -------
-    masks : dict of int to ndarray, each (H, W)
-        By frame, in their order; empty if there are none.
-    """
-    masks: dict[int, Mask] = {}
-    entities = [entity_paths.MASK, entity_paths.OVERLAP]
-    for chunk in reader(recording).stream().filter(content=entities):
-        batch = chunk.to_record_batch()
-        names = {name.rpartition(":")[2]: name for name in batch.schema.names}
-        if chunk.is_static or not {"frame", "buffer", "format"} <= {*names}:
-            continue
-        columns = (batch.column(names[name]) for name in ("frame", "buffer", "format"))
-        for frame, (buffer,), (image,) in zip(*columns, strict=True):
-            flat = np.isin(buffer.values, _MASK_CLASSES).astype(np.uint8)
-            masks[frame.as_py()] = flat.reshape(image["height"].as_py(), image["width"].as_py())
-    return dict(sorted(masks.items()))
 
 
 class _Rows:

@@ -7,20 +7,14 @@ import pytest
 from PIL import Image
 
 from silpose.core.errors import InputError
+from silpose.core.pose_space import ANGLES
 from silpose.recording import Header, film, record_study
 from silpose.recording.plain_frames import PlainFrames
-from silpose.recording.read import read_masks
 
 
 @pytest.fixture(scope="module")
 def frames(finished):
     return PlainFrames.read(finished.recording)
-
-
-def test_masks_come_back_as_they_were(finished, frames):
-    masks = read_masks(finished.recording)
-    assert list(masks) == list(range(len(frames))) == list(range(45))
-    assert masks[0].shape == (96, 96) and set(np.unique(masks[0])) == {0, 1}
 
 
 def test_three_panels_stand_side_by_side(frames):
@@ -65,3 +59,29 @@ def test_frames_without_a_pose_are_drawn_without_one(frames):
     for estimated in (x, np.full_like(x, np.nan)):
         still = replace(frames, estimated=estimated).still(2)
         assert Image.open(io.BytesIO(still)).size[0] > 0
+
+
+@pytest.fixture
+def walking(sequence):
+    """Frames of somebody who walks through the image, as in a film, and is not seen in one."""
+    mask = sequence.masks[0]
+    masks = {k: np.pad(mask, [(0, 0), (60 * k, 60 * (9 - k))]) for k in range(10)}
+    masks[4] = np.zeros_like(masks[4])
+    return PlainFrames(masks, sequence.x[:10], None, ANGLES)
+
+
+def test_who_walks_through_the_image_stays_in_the_middle(walking):
+    pictures = np.array(walking.film(range(10), width=300))[:, :, :100].max(axis=-1) > 100
+    assert not pictures[4, 20:].any()  # below the title
+    for picture in np.delete(pictures, 4, axis=0):
+        columns = np.flatnonzero(picture[20:].any(axis=0))
+        assert 35 < columns.mean() < 65
+        assert np.ptp(np.flatnonzero(picture[20:].any(axis=1))) > 70
+
+
+def test_a_pose_that_was_drawn_on_its_mask_is_drawn_there_again(walking):
+    bones = np.full((len(ANGLES.bones), 2, 2), [60.0 * 8 + 48, 30.0])
+    bones[:, 1, 1] += 20
+    other = replace(walking, overlay={8: bones}).film([8], 300)[0]
+    changed = (other != walking.film([8], 300)[0]).any(axis=-1)
+    assert changed[:, 100:200].any() and not changed[:, :100].any()
