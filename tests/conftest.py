@@ -22,6 +22,20 @@ hypothesis.settings.load_profile("usual")
 hypothesis.settings.register_profile("long", max_examples=10_000, deadline=None)
 
 PROJECT = Path(__file__).parents[1]
+_COMPILES = Path("tests/fitting/test_stream.py")  # all of the fits, for a minute
+
+
+def pytest_collection_modifyitems(items):
+    """Put first what others wait for: what is compiled meanwhile is not compiled twice.
+
+    Files of whole runs, beside the rooms, come in the middle, so that workers end together.
+    """
+
+    def place(item):
+        file = item.path.relative_to(PROJECT)
+        return file != _COMPILES, "evaluation" if len(file.parts) == 2 else file.parts[1]
+
+    items.sort(key=place)
 
 
 @pytest.fixture(scope="session")
