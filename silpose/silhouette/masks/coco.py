@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import cv2
 import numpy as np
 
+from silpose.core.array_files import first_line
 from silpose.core.errors import InputError
 from silpose.core.types import Mask
-from silpose.silhouette.masks.json_forms import Record, records_of
+from silpose.silhouette.masks.json_forms import WANTED, Record, records_of
 from silpose.silhouette.masks.labelme import dataset_of_labelme, is_labelme
 from silpose.silhouette.masks.natural_order import in_natural_order
 from silpose.silhouette.masks.picture import Picture
-from silpose.silhouette.masks.run_lengths import is_run_lengths, mask_of_run_lengths
+from silpose.silhouette.masks.run_lengths import check_size, is_run_lengths, mask_of_run_lengths
 
 Pictures = tuple[list[Picture], tuple[str, ...]]
 """Pictures, and what is doubtful about them."""
 
+_FARTHEST = 1e6  # pixels
 _IDENTITIES = ("track_id", "instance_id", "object_id", "obj_id", "person_id")
 
 
@@ -43,7 +46,8 @@ def read_labelme(files: Sequence[Path], source: str) -> Pictures | None:
     contents = {file.name: _content(file) for file in files}
     if not all(map(is_labelme, contents.values())):
         return None
-    return pictures_of_records(dataset_of_labelme(contents, source), source)
+    with _values_of_any_kind(source):
+        return _pictures(dataset_of_labelme(contents, source), source)
 
 
 def _content(file: Path) -> Any:
@@ -63,8 +67,26 @@ def pictures_of_records(content: Any, source: str) -> Pictures:
     source : str
         What it is called in messages.
     """
+    with _values_of_any_kind(source):
+        return _pictures(content, source)
+
+
+@contextmanager
+def _values_of_any_kind(source: str) -> Iterator[None]:
+    """Refuse what JSON holds where it should be a number, text or a list."""
+    try:
+        yield
+    except InputError:
+        raise
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise InputError(
+            f"{source} holds a value of another kind than it should ({first_line(error)}): {WANTED}"
+        ) from None
+
+
+def _pictures(content: Any, source: str) -> Pictures:
     held = records_of(content, source)
-    sizes = {i.get("id"): (i.get("height"), i.get("width")) for i in held.images}
+    sizes = {i.get("id"): _size(i, source) for i in held.images}
     names = {i.get("id"): str(i.get("file_name") or f"image {i.get('id')}") for i in held.images}
     found: dict[Any, list[Record]] = {key: [] for key in names}
     for record in held.records:
@@ -82,11 +104,20 @@ def pictures_of_records(content: Any, source: str) -> Pictures:
     return pictures, held.doubts
 
 
-def _draw(records: list[Record], size: Any, source: str) -> np.ndarray | None:
+def _size(image: Record, source: str) -> tuple[int, int] | None:
+    """Height and width of an image; None if it does not tell them."""
+    height, width = image.get("height"), image.get("width")
+    if not height or not width:
+        return None
+    check_size(int(height), int(width), source)
+    return int(height), int(width)
+
+
+def _draw(records: list[Record], size: tuple[int, int] | None, source: str) -> np.ndarray | None:
     """Draw the masks of one image: with the identities that they have, else all as one."""
     records = [record for record in records if record.get("segmentation") is not None]
     if not records:
-        return np.zeros(size, np.uint8) if size and all(size) else None
+        return np.zeros(size, np.uint8) if size else None
     plane: np.ndarray | None = None
     for record in records:
         mask = _mask(record, size, source)
@@ -105,7 +136,7 @@ def _draw(records: list[Record], size: Any, source: str) -> np.ndarray | None:
     return plane.astype(np.uint8) if plane.max() <= 1 else plane
 
 
-def _mask(record: Record, size: Any, source: str) -> Mask:
+def _mask(record: Record, size: tuple[int, int] | None, source: str) -> Mask:
     shape = record["segmentation"]
     if is_run_lengths(shape):
         return mask_of_run_lengths(shape, source)
@@ -113,7 +144,7 @@ def _mask(record: Record, size: Any, source: str) -> Mask:
         shape = np.asarray(shape)[0]  # SAM 2 keeps an axis of one for the object
     if _is_plane(shape):
         return (np.asarray(shape) > 0).astype(np.uint8)
-    if not size or not all(size):
+    if not size:
         raise InputError(
             f"{source} is a polygon, and its image has no height and width: add them to 'images'"
         )
@@ -133,10 +164,14 @@ def _polygons(polygons: Any, size: Any, source: str) -> Mask:
     mask = np.zeros(size, np.uint8)
     try:
         points = [np.asarray(polygon, float).reshape(-1, 2) for polygon in polygons]
+        if any(not (np.abs(polygon) < _FARTHEST).all() for polygon in points):
+            raise ValueError("a corner is far outside the image, or no number")
     except (TypeError, ValueError) as error:
         raise InputError(
             f"{source} has a polygon that cannot be read ({error}): write it anew"
         ) from None
-    for polygon in points:  # corners are at whole numbers, and pixels' centres between them
+    for polygon in filter(
+        len, points
+    ):  # corners are at whole numbers, and pixels' centres between them
         cv2.fillPoly(mask, [np.rint((polygon - 0.5) * 16).astype(np.int32)], 1, shift=4)
     return mask

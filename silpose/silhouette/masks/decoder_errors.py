@@ -16,7 +16,7 @@ capture = cv2.VideoCapture(sys.argv[1], cv2.CAP_FFMPEG)
 while capture.grab():
     pass
 """
-_SAID = re.compile(r"^\[(?:OPENCV:FFMPEG:\d+|\w+ @ 0x\w+)\] *(.+?)\s*$", re.MULTILINE)
+_SAID = re.compile(r"^\[(?:OPENCV:FFMPEG:\d+|\w+ @ 0x\w+)\] *\S", re.MULTILINE)
 _LEVELS = {"OPENCV_FFMPEG_LOGLEVEL": "16", "OPENCV_LOG_LEVEL": "WARNING"}  # errors
 
 
@@ -70,13 +70,13 @@ class DecoderErrors:
         """Wait until all is decoded, and say that the film is damaged; nothing if it is not."""
         if self._process is None:
             return ""
-        found = _SAID.findall(self._process.communicate()[0])
+        said = self._process.communicate()[0]
         self._process = None
-        if not found:
+        if not _SAID.search(said):
             return ""
         return (
-            f"the video '{self.file}' is damaged, so that some pictures are made up from others "
-            f"({len(found)} errors of its decoder, the first: {found[0]}): copy it anew"
+            f"the video '{self.file}' is damaged, so that its decoder makes some pictures up from "
+            "others: copy it anew"
         )
 
     def stop(self) -> None:

@@ -71,6 +71,9 @@ def choose_files(folder: Path, is_masks: Callable[[Sequence[Path]], bool]) -> Ch
     """
     found = _images(folder)
     groups = _groups(found.files)
+    kinds = _by_suffix(found.files)
+    if len(groups) < 2 <= len(kinds) and not is_masks(found.files):
+        groups = kinds  # photos and masks, whose names tell them apart by nothing else
     if len(groups) < 2:
         files = _in_order(found.files)
         return Chosen(files, found.ignored, (*_takes(folder, files), *_no_order(folder, files)))
@@ -131,6 +134,13 @@ def _groups(files: Sequence[Path]) -> dict[str, list[Path]]:
             suffix = file.suffix.lower() if copied else ""
             apart.setdefault(name + suffix, []).append(file)
     return apart
+
+
+def _by_suffix(files: Sequence[Path]) -> dict[str, list[Path]]:
+    groups: dict[str, list[Path]] = {}
+    for file in files:
+        groups.setdefault(file.suffix.lower(), []).append(file)
+    return groups
 
 
 def _preferred(file: Path) -> bool:

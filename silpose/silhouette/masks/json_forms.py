@@ -61,6 +61,7 @@ def records_of(content: Any, source: str) -> Records:
         What it is called in messages.
     """
     images: list[Record] = []
+    content = _images_with_masks(content) or content
     if why := _why_not_read(content):
         raise InputError(f"{source} {why}")
     if is_labelme(content):
@@ -90,11 +91,15 @@ def _people(records: Any, categories: Sequence[Record], source: str) -> tuple[An
     """Keep people, as far as categories tell, and what was detected with some certainty."""
     if not all(isinstance(record, Mapping) for record in records):
         return records, ()
-    kept = [r for r in records if float(r.get("score", 1)) >= _LEAST_SCORE] or list(records)
+    kept = [record for record in records if _score(record) >= _LEAST_SCORE] or list(records)
     people = {c.get("id") for c in categories if str(c.get("name", "")).lower() in _PERSON}
     if people:
         return [r for r in kept if r.get("category_id") in people], ()
+    if any("class_name" in record for record in kept):
+        kept = [r | {"category_id": str(r.get("class_name")).lower().strip(" .")} for r in kept]
     found = {r.get("category_id") for r in kept if "category_id" in r}
+    if not found.isdisjoint(_PERSON):
+        return [r for r in kept if r.get("category_id") in _PERSON], ()
     if len(found) < 2:
         return kept, ()
     for person, where in ((_COUNTED_FROM_0, " counted from 0"), (_COCO_PERSON, "")):
@@ -110,6 +115,33 @@ def _people(records: Any, categories: Sequence[Record], source: str) -> tuple[An
         f"{source} has the categories {listed}, and none of them is called 'person': leave in it "
         "those of the person, or call them so in 'categories'"
     )
+
+
+def _score(record: Record) -> float:
+    """Certainty of a detection, which some programs write as a list of one."""
+    score: Any = record.get("score")
+    score = score[0] if isinstance(score, list) and score else score
+    return 1.0 if score is None else float(score)
+
+
+def _images_with_masks(content: Any) -> Record | None:
+    """Join images of which each has its own annotations, as Grounded SAM 2 gives them."""
+    items = [content] if isinstance(content, Mapping) and "images" not in content else content
+    if not isinstance(items, Sequence) or not items:
+        return None
+    if not all(_has(item, "annotations") and _has(item, "img_height") for item in items):
+        return None
+    images = [
+        {
+            "id": k,
+            "file_name": i.get("image_path"),
+            "height": i["img_height"],
+            "width": i.get("img_width"),
+        }
+        for k, i in enumerate(items)
+    ]
+    annotations = [r | {"image_id": k} for k, i in enumerate(items) for r in i["annotations"]]
+    return {"images": images, "annotations": annotations}
 
 
 def _why_not_read(content: Any) -> str | None:

@@ -20,6 +20,10 @@ _ADVICE: Mapping[tuple[str, ...], str] = {
         f"{_SAVE}, frames first"
     ),
     (".h5", ".hdf5", ".hdf"): f"is of HDF5: read it by h5py, and {_SAVE}, frames first",
+    (".parquet", ".feather", ".arrow"): f"is a table: read it by pandas, and {_SAVE}, frames first",
+    (".heic", ".heif", ".exr", ".psd", ".svg", ".dcm", ".nrrd", ".nii"): (
+        "is an image of a kind that is not read: save it as PNG"
+    ),
     (".xml",): "is XML, as of CVAT: export the annotations as COCO (JSON), or as mask images",
     (".txt", ".csv"): (
         "is text, which is read in the forms of MOTS and YOLO only: draw its masks as images, or "

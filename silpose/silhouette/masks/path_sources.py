@@ -5,6 +5,7 @@ from __future__ import annotations
 import glob
 import os
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -111,6 +112,11 @@ def _find_folder(folder: Path, options: MaskSource) -> Found:
         if not (chosen.files and _are_masks(chosen.files, options)):
             note = f"the masks are in '{labels}'"
             return Found(Animation(read_yolo(texts)), name, notes=(note,))
+    annotations = [file for file in folder.glob("*.json") if not file.name.startswith(".")]
+    if len(annotations) == 1 and chosen.files and not _are_masks(chosen.files, options):
+        note = f"the masks are in '{annotations[0]}'"
+        with suppress(InputError):  # it may be something else
+            return replace(_find_path(annotations[0], options), notes=(note,))
     if chosen.files:
         return Found(_read_all(chosen.files), name, chosen.ignored, chosen.doubts)
     alone = [

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from PIL import Image
 
 from silpose.core.errors import InputError
 from silpose.core.types import Indices, Mask
@@ -47,6 +48,7 @@ def mask_of_run_lengths(item: Mapping[str, Any], source: str) -> Mask:
         raise InputError(
             f"{source} has run lengths that cannot be read ({error}): write it anew"
         ) from None
+    check_size(height, width, source)
     if runs.ndim != 1 or (runs < 0).any() or runs.sum() != height * width:
         raise InputError(
             f"{source} has runs of {runs.sum()} pixels, and a size of {height} x {width}: it is "
@@ -54,6 +56,12 @@ def mask_of_run_lengths(item: Mapping[str, Any], source: str) -> Mask:
         )
     values = np.arange(len(runs), dtype=np.uint8) % 2
     return np.ascontiguousarray(np.repeat(values, runs).reshape(width, height).T)
+
+
+def check_size(height: int, width: int, source: str) -> None:
+    """Refuse a size for which there is no memory, before it is taken."""
+    if not 0 < height * width <= (Image.MAX_IMAGE_PIXELS or 0):
+        raise InputError(f"{source} has a size of {height} x {width} pixels: write it anew")
 
 
 def _decompress(text: bytes) -> Indices:

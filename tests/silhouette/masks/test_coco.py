@@ -6,6 +6,7 @@ from mask_encodings import run_lengths_of
 
 from silpose.core.errors import InputError
 from silpose.silhouette.masks import MaskSource, read_masks
+from silpose.silhouette.masks.coco import pictures_of_records
 
 
 def runs(mask):
@@ -160,3 +161,21 @@ def test_boxes_alone_are_no_masks(tmp_path):
     content = {"annotations": [{"image_id": 0, "bbox": [1, 2, 3, 4], "segmentation": []}]}
     with pytest.raises(InputError, match="holds boxes, and no masks"):
         read(tmp_path, content)
+
+
+@pytest.mark.parametrize(
+    ("record", "why"),
+    [
+        ({"image_id": [1]}, "a value of another kind than it should .unhashable"),
+        ({"score": "high"}, "a value of another kind"),
+        ({"segmentation": {"size": [10**9, 10**9], "counts": [10**18]}}, "a size of 1000000000 x"),
+        ({"segmentation": [[1, 1, float("nan"), 2, 3, 3]]}, "a corner is far outside"),
+        ({"segmentation": [[1, 1, 1e12, 2, 3, 3]]}, "a corner is far outside"),
+    ],
+)
+def test_values_of_another_kind_are_refused(record, why):
+    images = [{"id": 1, "height": 8, "width": "6"}]
+    own = {"image_id": 1, "segmentation": [[1, 1, 4, 1, 4, 6], []]}
+    assert pictures_of_records({"images": images, "annotations": [own]}, "it")[0]
+    with pytest.raises(InputError, match=f"it (holds|has) .*{why}"):
+        pictures_of_records({"images": images, "annotations": [own | record]}, "it")

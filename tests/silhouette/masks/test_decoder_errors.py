@@ -33,10 +33,10 @@ def test_a_film_that_is_whole_has_no_errors(film):
 def test_damage_is_said_once_by_whoever_reads_the_film(film, capfd):
     damage(film)
     doubt = DecoderErrors(film).doubt()
-    assert "film.mp4' is damaged, so that some pictures are made up" in doubt
+    assert "film.mp4' is damaged, so that its decoder makes some pictures up" in doubt
     assert read_video(film).doubts == (doubt,)
     frames = FilmFrames(film, 960)
-    with pytest.warns(UserWarning, match="is damaged, so that some pictures"):
+    with pytest.warns(UserWarning, match="is damaged, so that its decoder"):
         list(frames)
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -95,3 +95,17 @@ def test_other_forms_are_called_by_their_names(message):
 def test_what_holds_no_masks_is_refused(content):
     with pytest.raises(InputError, match=r"it holds no masks|item 0 of it is no mask"):
         records_of(content, "it")
+
+
+def test_images_with_annotations_of_their_own_are_those_of_grounded_sam():
+    def image(*found):
+        masks = [{"class_name": n, "segmentation": RUNS, "score": [s]} for n, s in found]
+        return {"image_path": "a.jpg", "annotations": masks, "img_height": 2, "img_width": 2}
+
+    content = [image(("person.", 0.9), ("car", 0.9), ("person", 0.2)), image()]
+    held = records_of(content, "it")
+    assert [(r["image_id"], r["category_id"]) for r in held.records] == [(0, "person")]
+    assert [i["height"] for i in held.images] == [2, 2]
+    assert len(records_of(content[0], "it").images) == 1
+    with pytest.raises(InputError, match="none of them is called 'person'"):
+        records_of(image(("car", 0.9), ("dog", 0.9)), "it")

@@ -9,6 +9,8 @@ FORMS = [
     ("a.npy.gz", "is an archive: unpack it"),
     ("a.MAT", "is of MATLAB"),
     ("a.h5", "is of HDF5"),
+    ("a.parquet", "is a table: read it by pandas"),
+    ("a.heic", "is an image of a kind that is not read"),
     ("a.xml", "is XML"),
     ("a.txt", "is text"),
 ]

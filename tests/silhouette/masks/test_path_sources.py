@@ -1,3 +1,4 @@
+import json
 from pathlib import Path
 
 import cv2
@@ -51,3 +52,35 @@ def test_the_only_take_of_a_folder_is_read(tmp_path, figures):
     found = find(tmp_path)
     assert len(found.animation.pictures) == 6
     assert found.notes == (f"the masks are in '{tmp_path / 'take.npy'}'",)
+
+
+def noise(name, height=40, width=30):
+    rng = np.random.default_rng(len(name))
+    return cv2.imwrite(name, rng.integers(0, 255, (height, width, 3), dtype=np.uint8))
+
+
+def test_annotations_beside_photos_are_read(tmp_path, figures):
+    height, width = figures[0].shape
+    images = [{"id": k, "file_name": f"{k}.jpg", "height": height, "width": width} for k in (1, 2)]
+    own = [{"image_id": k, "segmentation": [[5, 5, 20, 5, 20, 30]]} for k in (1, 2)]
+    for k in (1, 2):
+        noise(str(tmp_path / f"{k}.jpg"))
+    file = tmp_path / "_annotations.coco.json"
+    file.write_text(json.dumps({"images": images, "annotations": own}))
+    found = find(tmp_path)
+    assert len(found.animation.pictures) == 2
+    assert found.notes == (f"the masks are in '{file}'",)
+    file.write_text("{}")  # is something else
+    assert len(find(tmp_path).animation.pictures) == 2
+
+
+def test_masks_are_told_from_photos_whose_names_have_nothing_in_common(tmp_path, figures):
+    for k, mask in enumerate(figures):
+        name = tmp_path / f"{k}_jpg.rf.{k}{'abcdefgh'[k:]}"
+        noise(f"{name}.jpg")
+        cv2.imwrite(f"{name}_mask.png", mask)
+    found = find(tmp_path)
+    assert [picture.name for picture in found.animation.pictures] == [
+        f"{k}_jpg.rf.{k}{'abcdefgh'[k:]}_mask.png" for k in range(len(figures))
+    ]
+    assert f"{len(figures)} left out that look like no masks" in found.doubts[0]
