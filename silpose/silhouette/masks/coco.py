@@ -170,8 +170,7 @@ def _polygons(polygons: Any, size: Any, source: str) -> Mask:
         raise InputError(
             f"{source} has a polygon that cannot be read ({error}): write it anew"
         ) from None
-    for polygon in filter(
-        len, points
-    ):  # corners are at whole numbers, and pixels' centres between them
+    # Corners are at whole numbers, and pixels' centres between them.
+    for polygon in filter(len, points):
         cv2.fillPoly(mask, [np.rint((polygon - 0.5) * 16).astype(np.int32)], 1, shift=4)
     return mask
