@@ -65,6 +65,8 @@ class VideoRecorder:
         self._indices: list[int] = []
         self._times: list[float] = []
         log_video_styles(recording, size)
+        if not keep_pictures:  # an image with nothing behind it is drawn on black if it is opaque
+            recording.log(entity_paths.MASK, rr.EncodedImage.from_fields(opacity=0.99), static=True)
 
     def log(self, step: VideoStep) -> None:
         """Record the next step."""

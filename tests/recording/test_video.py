@@ -93,10 +93,12 @@ def test_the_gait_phase_has_a_gap_where_a_stride_follows_another(tmp_path, steps
     assert [len(row) for row in phase] == [1, 1, 1, 1, 1, 0, 1]
 
 
-def test_masks_alone_keep_no_picture(tmp_path, steps, header):
+def test_masks_alone_keep_no_picture(tmp_path, steps, header, logged):
     file = tmp_path / "private.rrd"
     record_video(header(file), steps, (96, 96), 15.0, keep_pictures=False)
     assert entities.PICTURE not in {chunk.entity_path for chunk in RrdReader(file).stream()}
+    ((opacity,),) = logged(file, entities.MASK, "EncodedImage:opacity", static=True)
+    assert opacity < 1  # else the viewer draws black where nobody is, in a light theme, too
 
 
 def test_a_live_recording_is_complete_though_it_was_cut_short(tmp_path, steps, header, logged):
