@@ -341,7 +341,7 @@ def test_settings(data, group):
 OVERRIDES = "seed=1 regression.rvm.nu=3 motion=bvh +x=[1,2] ~seed motion.root='a b' n_jobs={a:1}"
 
 
-@settings(ANY, max_examples=20)
+@settings(ANY, max_examples=max(20, ANY.max_examples // 5))  # each composes all of a config
 @given(text=reworded(OVERRIDES))
 def test_overrides(text):
     try:
