@@ -12,7 +12,7 @@ from typing import Self
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image
 from scipy.ndimage import gaussian_filter1d
 from scipy.spatial.transform import Rotation
 
@@ -21,11 +21,12 @@ from silpose.core.pose_space import SPACES, PoseSpace
 from silpose.core.types import Array, Mask
 from silpose.model.image_overlay import joints_in_image
 from silpose.recording import palette
+from silpose.recording.plain_drawing import PALE, Picture, draw_line, with_title
 from silpose.recording.read import read_recording
 from silpose.recording.recorded_masks import read_masks, read_overlay
 from silpose.silhouette import Camera
 
-_DARK, _PALE = (18, 19, 22), (190, 192, 198)  # as in the viewer
+_DARK = 18, 19, 22  # as in the viewer
 _SHOWN = ("fitted", "estimated", "tracker", "hypothesis_1", "mode_1")  # the first that there is
 _BACKGROUND = (18, 19, 22)  # of a picture, the viewer's in the dark
 _FINE = 2  # times as large as shown, so that edges become smooth
@@ -37,9 +38,6 @@ _PERIOD = 90  # once in so many frames
 _PAST = 1.5  # times as large as the person: the part of the image in which such a one stays
 _AROUND = 32  # frames to either side over which a square that goes along is smoothed
 _TILE, _TILES = 0.5, 2  # metres, and tiles to each side, of the ground
-
-Picture = NDArray[np.uint8]
-"""Red, green and blue, shape (H, W, 3)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +72,10 @@ class PlainFrames:
             If it cannot be read, or holds neither masks nor poses.
         """
         masks, recorded = read_masks(recording), read_recording(recording)
-        by_name = {name.rpartition("/")[2]: x for name, x in recorded.poses.items()}
+        by_name = {
+            name.rpartition("/")[2]: _by_frame(recorded.frames, x)
+            for name, x in recorded.poses.items()
+        }
         true = by_name.pop("true", None)
         estimated = next((by_name[name] for name in (*_SHOWN, *by_name) if name in by_name), None)
         if not masks and estimated is None:
@@ -138,7 +139,7 @@ class PlainFrames:
             draw(canvas, frame)
             smooth = cv2.resize(canvas, (size, size), interpolation=cv2.INTER_AREA)
             picture = np.asarray(smooth, np.uint8)
-            pictures.append(_titled(picture, title) if titled else picture)
+            pictures.append(with_title(picture, title) if titled else picture)
         return pictures
 
     @property
@@ -175,7 +176,7 @@ class PlainFrames:
         size *= 1.12
         return dict(zip(frames.tolist(), middle - size / 2, strict=True)), size
 
-    def _draw_mask(self, canvas: Picture, frame: int, colour: palette.Colour = _PALE) -> None:
+    def _draw_mask(self, canvas: Picture, frame: int, colour: palette.Colour = PALE) -> None:
         if (mask := self.masks.get(frame)) is None:
             return
         corners, size = self._window
@@ -203,7 +204,7 @@ class PlainFrames:
         tiles = np.concatenate([ends, ends[..., ::-1]])
         for line in tiles:
             ends = _seen(turn.apply(line), self._ground)
-            _draw_line(canvas, ends, palette.MASK, 0.2 * _BONE)
+            draw_line(canvas, ends, palette.MASK, 0.2 * _BONE)
         for x, colour, radius in (
             (self.true, palette.TRUE, 1.6 * _BONE),
             (self.estimated, palette.ESTIMATED, _BONE),
@@ -231,24 +232,18 @@ class PlainFrames:
         """Draw bones (B, 2, 2), left ones light and right ones dark; the panel's width is 1."""
         for own, (_, joint) in zip(ends, self.space.bones, strict=True):
             side = self.space.joint_names[joint].split("_")[0]
-            _draw_line(canvas, own, palette.shade(colour, side), radius)
+            draw_line(canvas, own, palette.shade(colour, side), radius)
 
 
-def _titled(picture: Picture, title: str) -> Picture:
-    """Write a panel's title into its corner."""
-    image, size = Image.fromarray(picture), len(picture)
-    font = ImageFont.load_default(size=max(11.0, 0.05 * size))
-    ImageDraw.Draw(image).text((0.04 * size, 0.03 * size), title, fill=_PALE, font=font)
-    return np.asarray(image)
+def _by_frame(frames: NDArray[np.int64], x: Array) -> Array:
+    """Put the poses of numbered frames where their numbers say; NaN where frames were left out."""
+    if len(frames) != len(x):  # of one of several runs side by side
+        return x
+    placed = np.full((frames.max() + 1, x.shape[1]), np.nan)
+    placed[frames] = x
+    return placed
 
 
 def _seen(points: Array, above: float) -> Array:
     """Project points (n, 3), metres, raised by some height, into a panel of width 1."""
     return np.asarray(_EYE.project(points + np.array([0.0, above, 0.0])) / _EYE.width)
-
-
-def _draw_line(canvas: Picture, ends: Array, colour: palette.Colour, radius: float) -> None:
-    if np.isfinite(ends).all():
-        one, other = (tuple(end) for end in np.rint(len(canvas) * ends).astype(int).tolist())
-        thickness = max(1, round(2 * radius * len(canvas)))
-        cv2.line(canvas, one, other, colour, thickness, cv2.LINE_AA)

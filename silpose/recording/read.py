@@ -35,6 +35,8 @@ class RecordedPoses:
     ----------
     time : ndarray, shape (F,)
         Seconds from the take's start; empty if there are no poses.
+    frames : ndarray of int, shape (F,)
+        Their numbers, of which live recordings may leave some out.
     columns : tuple of str
         Names of the D columns of pose vectors.
     poses : dict of str to ndarray, shape (F, D)
@@ -45,6 +47,7 @@ class RecordedPoses:
     """
 
     time: Array
+    frames: NDArray[np.int64]
     columns: tuple[str, ...]
     poses: dict[str, Array]
     errors: dict[str, Array]
@@ -130,9 +133,9 @@ def read_recording(recording: str | Path) -> RecordedPoses:
         elif rows is poses:
             batch = chunk.to_record_batch()
             columns = tuple(batch.column("columns")[0].as_py())
-    return RecordedPoses(
-        poses.times(), columns, poses.values(), {n: v[:, 0] for n, v in errors.values().items()}
-    )
+    frames, times = poses.frames_and_times()
+    of_methods = {name: values[:, 0] for name, values in errors.values().items()}
+    return RecordedPoses(times, frames, columns, poses.values(), of_methods)
 
 
 def frames_of(recording: str | Path) -> range:
@@ -167,16 +170,17 @@ class _Rows:
         times = np.asarray(batch.column("time")).astype("timedelta64[ns]").astype(float) / 1e9
         self._parts.setdefault(name, []).append((np.asarray(batch.column("frame")), times, values))
 
-    def times(self) -> Array:
+    def frames_and_times(self) -> tuple[NDArray[np.int64], Array]:
         longest = max(self._parts, key=lambda n: sum(len(p[0]) for p in self._parts[n]), default="")
-        return self._ordered(longest, 1) if longest else np.empty(0)
+        return self._ordered(longest)[:2] if longest else (np.empty(0, np.int64), np.empty(0))
 
     def values(self) -> dict[str, Array]:
-        return {name: self._ordered(name, 2) for name in sorted(self._parts)}
+        return {name: self._ordered(name)[2] for name in sorted(self._parts)}
 
-    def _ordered(self, name: str, which: int) -> Array:
-        frames, *others = (np.concatenate(part) for part in zip(*self._parts[name], strict=True))
-        return np.asarray(others[which - 1][np.argsort(frames, kind="stable")])
+    def _ordered(self, name: str) -> tuple[NDArray[np.int64], Array, Array]:
+        frames, times, values = map(np.concatenate, zip(*self._parts[name], strict=True))
+        order = np.argsort(frames, kind="stable")
+        return frames[order], times[order], values[order]
 
 
 def _name(entity: str) -> str | None:

@@ -5,10 +5,11 @@ import cv2
 import numpy as np
 import pytest
 from PIL import Image
+from video_steps import video_steps
 
 from silpose.core.errors import InputError
 from silpose.core.pose_space import ANGLES
-from silpose.recording import Header, film, record_study
+from silpose.recording import Header, film, record_study, video_recording
 from silpose.recording.plain_frames import PlainFrames
 
 
@@ -85,3 +86,16 @@ def test_a_pose_that_was_drawn_on_its_mask_is_drawn_there_again(walking):
     other = replace(walking, overlay={8: bones}).film([8], 300)[0]
     changed = (other != walking.film([8], 300)[0]).any(axis=-1)
     assert changed[:, 100:200].any() and not changed[:, :100].any()
+
+
+def test_poses_stay_with_their_frames_where_a_live_recording_dropped_some(
+    sequence, header, tmp_path
+):
+    kept = [step for step in video_steps(sequence, 8, live=True) if step.index not in (2, 3)]
+    with video_recording(header(tmp_path / "run.rrd"), (96, 96), 15.0, live=True) as recorder:
+        for step in kept:
+            recorder.log(step)
+    frames = PlainFrames.read(tmp_path / "run.rrd")
+    assert len(frames) == 8 and np.isnan(frames.estimated[2:4]).all()
+    for step in kept:
+        np.testing.assert_allclose(frames.estimated[step.index], step.poses.x[0], rtol=1e-5)
