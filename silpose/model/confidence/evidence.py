@@ -27,7 +27,7 @@ EVIDENCE = (
     "pose_distance", "pose_descriptor", "pose_look",
     "norm_low", "norm_high", "cut", "low_aspect", "high_aspect", "coarse",
 )  # fmt: skip
-"""Names of the evidence; each is larger the stranger a frame is."""
+"""Names of the evidence; each is larger the less a frame is like those of training."""
 
 NEIGHBOURS = 8
 """Training examples in each neighbourhood."""

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from silpose.motion.capture.naming.tree import JointTree
 
-RATIO, RATIO_TO_STRANGER = 0.35, 0.55
+RATIO, RATIO_TO_UNKNOWN = 0.35, 0.55
 """Smallest ratio of the lengths of a limb's bones, and where a joint of unknown name follows."""
 
 AWAY = 0.12
@@ -42,9 +42,9 @@ def doubt_about(
     for above, below in pairwise(own):
         if above in given and below in given:
             continue
-        if (stranger := _stranger(tree, joints[above], joints[below])) is not None:
+        if (unknown := _unknown_between(tree, joints[above], joints[below])) is not None:
             return (
-                f"'{tree.names[stranger]}', whose name is unknown, is between "
+                f"'{tree.names[unknown]}', whose name is unknown, is between "
                 f"'{tree.names[joints[above]]}' and '{tree.names[joints[below]]}'"
             )
     limb = [joints[ours] for ours in own if not ours.endswith("collar")]
@@ -54,7 +54,7 @@ def doubt_about(
     if len(limb) == 3 and not set(own) <= set(given):
         upper, lower = (tree.distance(a, b) for a, b in pairwise(limb))
         strange = any(_is_unknown(tree, child) for child in tree.children[limb[-1]])
-        ratio = RATIO_TO_STRANGER if strange else RATIO
+        ratio = RATIO_TO_UNKNOWN if strange else RATIO
         if min(upper, lower) < ratio * max(upper, lower):
             first, middle, last = (f"'{tree.names[j]}'" for j in limb)
             return (
@@ -75,7 +75,7 @@ def is_of_another(tree: JointTree, limb: Mapping[str, int], other: Mapping[str, 
     return any(tree.distance(j, other[name]) > AWAY * length for name, j in limb.items())
 
 
-def _stranger(tree: JointTree, above: int, below: int) -> int | None:
+def _unknown_between(tree: JointTree, above: int, below: int) -> int | None:
     """Find a joint of unknown name that lies within the bone between two joints."""
     length = tree.distance(above, below)
     for j in tree.between(above, below):
@@ -91,7 +91,7 @@ def _doubt_about_first(tree: JointTree, j: int, below: int) -> str:
     word, above = tree.words[j], tree.parents[j]
     if above < 0 or not _is_unknown(tree, above):
         return ""
-    if word.number and tree.lengths[j] > RATIO_TO_STRANGER * tree.distance(j, below):
+    if word.number and tree.lengths[j] > RATIO_TO_UNKNOWN * tree.distance(j, below):
         return f"'{tree.names[above]}', whose name is unknown, is above '{tree.names[j]}'"
     return ""
 
