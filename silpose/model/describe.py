@@ -12,7 +12,7 @@ from joblib import parallel_config
 from numpy.typing import NDArray
 from sklearn.base import clone
 
-from silpose.core.parallel import parallel_map, thread_map
+from silpose.core.parallel import parallel_map
 from silpose.core.progress import bar
 from silpose.core.types import Array
 from silpose.dataset import LazyMasks, Take
@@ -54,13 +54,7 @@ def fit_descriptor(
         return None
     every = -(-sum(map(len, masks)) // _CODEBOOK_MASKS)
     starts = -np.cumsum([0, *map(len, masks)]) % every  # so that short takes get their share
-    wanted = [(own, s) for own, s in zip(masks, starts, strict=False) if s < len(own)]
-
-    def sample(k: int) -> Block:
-        own, start = wanted[k]
-        return own[start::every]
-
-    samples = thread_map(sample, len(wanted), descriptor.n_jobs)
+    samples = [own[s::every] for own, s in zip(masks, starts, strict=False) if s < len(own)]
     return clone(descriptor).fit([mask for own in samples for mask in own])
 
 
