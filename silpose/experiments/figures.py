@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from silpose.core.pose_space import PoseSpace
+from silpose.core.pose_space import PoseSpace, wraps
 from silpose.core.types import Array
 from silpose.recording import palette
 from silpose.recording.figure_style import DIM, ESTIMATED, TRUE
@@ -78,9 +78,8 @@ def format_headings(axes: Axes) -> None:
 
 def with_gaps(headings: Array) -> tuple[Array, Array]:
     """Frames and headings (F,), with NaN between them where they wrap from 180 to -180."""
-    wraps = 1 + np.flatnonzero(np.abs(np.diff(headings)) > 180)
-    frames = np.arange(len(headings), dtype=float)
-    return np.insert(frames, wraps, np.nan), np.insert(headings, wraps, np.nan)
+    gaps, frames = wraps(headings), np.arange(len(headings), dtype=float)
+    return np.insert(frames, gaps, np.nan), np.insert(headings, gaps, np.nan)
 
 
 def plot_headings(

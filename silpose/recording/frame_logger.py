@@ -9,7 +9,7 @@ import numpy as np
 import rerun as rr
 from numpy.typing import NDArray
 
-from silpose.core.pose_space import PoseSpace
+from silpose.core.pose_space import PoseSpace, wraps
 from silpose.core.types import Array
 from silpose.recording import entity_paths, palette
 
@@ -258,7 +258,7 @@ def columns_with_gaps(
         Which value's time each has.
     columns : rerun.ComponentColumnList
     """
-    wraps = 1 + np.flatnonzero(np.abs(np.diff(values)) > turn / 2)
-    rows = np.insert(np.arange(len(values)), wraps, wraps)
-    counts = np.insert(np.ones(len(values), int), wraps, 0)
+    gaps = wraps(values, turn)
+    rows = np.insert(np.arange(len(values)), gaps, gaps)
+    counts = np.insert(np.ones(len(values), int), gaps, 0)
     return rows, rr.Scalars.columns(scalars=values).partition(counts)

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 from silpose.core.pose_space.angles import AnglePoseSpace
 from silpose.core.pose_space.authors_joints import AuthorsPoseSpace
-from silpose.core.pose_space.base import PoseSpace, wrap_degrees
+from silpose.core.pose_space.base import PoseSpace, wrap_degrees, wraps
 
 ANGLES = AnglePoseSpace()
 AUTHORS_JOINTS = AuthorsPoseSpace()
@@ -23,4 +23,5 @@ __all__ = [
     "AuthorsPoseSpace",
     "PoseSpace",
     "wrap_degrees",
+    "wraps",
 ]

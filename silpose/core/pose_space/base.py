@@ -17,6 +17,11 @@ def wrap_degrees(angles: ArrayLike) -> Array:
     return (np.asarray(angles, dtype=float) + 180.0) % 360.0 - 180.0
 
 
+def wraps(values: Array, turn: float = 360.0) -> Indices:
+    """Find the values (F,) before which numbers that go around have begun their turn again."""
+    return 1 + np.flatnonzero(np.abs(np.diff(values)) > turn / 2)
+
+
 class PoseSpace(ABC):
     """Meaning of a pose vector's columns, of which the first two are cos and sin of the heading.
 

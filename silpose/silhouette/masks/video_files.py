@@ -10,7 +10,8 @@ import cv2
 import numpy as np
 
 from silpose.core.errors import InputError
-from silpose.silhouette.masks.decoder_errors import BARE, DecoderErrors, cut_off
+from silpose.silhouette.masks.decoder_errors import DecoderErrors
+from silpose.silhouette.masks.film_headers import BARE, cut_off, known_rate
 from silpose.silhouette.masks.image_files import Animation
 from silpose.silhouette.masks.opencv_log import silent_opencv
 from silpose.silhouette.masks.picture import Picture, compact
@@ -24,7 +25,6 @@ VIDEOS = (
 os.environ.setdefault("OPENCV_FFMPEG_LOGLEVEL", "-8")  # what is wrong is said in one sentence
 
 _UNEVEN = 2.0  # intervals by which frames may be off an even rate
-_FASTEST = 1000  # frames per second; containers without a rate tell their clock's
 
 
 def read_video(file: Path) -> Animation:
@@ -44,8 +44,7 @@ def read_video(file: Path) -> Animation:
             f"'{file}' is no video that can be read: give a video, an image or a folder of masks"
         )
     told, announced = video.get(cv2.CAP_PROP_FPS), int(video.get(cv2.CAP_PROP_FRAME_COUNT))
-    bare = file.suffix.lower() in BARE
-    rate = told if 0 < told < _FASTEST and not bare else None
+    rate = None if file.suffix.lower() in BARE else known_rate(told)
     errors = DecoderErrors(file)
     pictures: list[Picture] = []
     stamps: list[float] = []

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-FASTEST = 1000
-"""Frames per second; containers without a rate tell their clock's."""
-
 USUAL = 30.0
 """Frames per second of a source that tells none."""
 

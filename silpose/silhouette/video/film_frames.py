@@ -11,9 +11,10 @@ import cv2
 from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
-from silpose.silhouette.masks.decoder_errors import BARE, DecoderErrors, cut_off
+from silpose.silhouette.masks.decoder_errors import DecoderErrors
+from silpose.silhouette.masks.film_headers import BARE, cut_off, known_rate
 from silpose.silhouette.video.captures import CONVERT, name_of, open_capture
-from silpose.silhouette.video.clock import FASTEST, USUAL, Clock
+from silpose.silhouette.video.clock import USUAL, Clock
 from silpose.silhouette.video.frame import Frame, Picture, alike, working_picture
 
 _WIDEST = 4.0  # pixels that are wider or narrower than that are a header's mistake
@@ -40,7 +41,7 @@ class FilmFrames:
         told = capture.get(cv2.CAP_PROP_FPS)
         self._counts = rate is not None
         self._judged = False
-        known = told if 0 < told < FASTEST else None
+        known = known_rate(told)
         self.frames_per_second: float | None = rate or known
         if rate is None and (known is None or source.suffix.lower() in BARE):
             warnings.warn(

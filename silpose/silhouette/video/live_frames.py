@@ -1,4 +1,4 @@
-"""Frames of a camera or a stream, which may vanish and come back."""
+"""Frames of a camera or a stream, which may vanish and reappear."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from silpose.core.errors import InputError
+from silpose.silhouette.masks.film_headers import known_rate
 from silpose.silhouette.video.captures import name_of, open_capture
-from silpose.silhouette.video.clock import FASTEST, USUAL, Clock
+from silpose.silhouette.video.clock import USUAL, Clock
 from silpose.silhouette.video.frame import Frame, Picture, alike, working_picture
 
 _WHOLE = 0.9  # share of the frames announced, from which a film that is streamed has ended
@@ -50,7 +51,7 @@ class LiveFrames:
         self.patience = patience
         self._capture: cv2.VideoCapture | None = open_capture(source)
         told = self._capture.get(cv2.CAP_PROP_FPS)
-        self.frames_per_second: float | None = rate or (told if 0 < told < FASTEST else None)
+        self.frames_per_second: float | None = rate or known_rate(told)
         self.announced = max(0, int(self._capture.get(cv2.CAP_PROP_FRAME_COUNT)))
         found, picture = self._capture.read()
         if not found:

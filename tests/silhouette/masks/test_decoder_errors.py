@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from video_films import write_film
 
-from silpose.silhouette.masks.decoder_errors import DecoderErrors, cut_off
+from silpose.silhouette.masks.decoder_errors import DecoderErrors
 from silpose.silhouette.masks.video_files import read_video
 from silpose.silhouette.video.film_frames import FilmFrames
 
@@ -57,9 +57,3 @@ def test_without_another_process_nothing_is_said(film, monkeypatch):
     monkeypatch.setattr(sys, "executable", "/no/such/python")
     damage(film)
     assert DecoderErrors(film).doubt() == ""
-
-
-def test_films_of_uneven_rate_are_not_cut_off(film):
-    assert "ends after 60 of 88 frames" in cut_off(film, 60, 88, 59)
-    assert not cut_off(film, 60, 88, 87)
-    assert not cut_off(film, 80, 88, 0)
