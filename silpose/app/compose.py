@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from omegaconf import DictConfig
@@ -12,9 +13,9 @@ from silpose.app.build import build, build_alternative, build_candidates
 from silpose.app.config import plain
 from silpose.app.registry import COMPONENTS
 from silpose.core.digest import digest
+from silpose.core.known_results import KnownResults
 from silpose.dataset import Renderer
 from silpose.experiments.setup import Components
-from silpose.model import DescriptorCache
 from silpose.motion import MotionSource
 
 _RENDERED_WITH = ("body", "camera", "scenes", "degradation")
@@ -61,7 +62,7 @@ def build_components(settings: DictConfig) -> Components:
         seed=given["seed"],
         video=video,
         trained_by=lambda: digest(trained_by, source.files()),
-        cache=build("dataset", kept, source=source, described=described),
+        known=partial(build, "dataset", kept, source=source, described=described),
     )
 
 
@@ -77,10 +78,10 @@ def _group_of_candidates(group: str, settings: Mapping[str, Any]) -> Any:
     return build(group, rest, **parts)
 
 
-def descriptor_cache(
-    source: MotionSource, described: object, *, cache: str | None = None
-) -> DescriptorCache | None:
-    """Name the cache of descriptors by everything that these depend on.
+def known_results(
+    source: MotionSource, described: object, *, cache: str | None = "${recording.root}/.cache"
+) -> KnownResults:
+    """Find what runs before have computed of the same data.
 
     Parameters
     ----------
@@ -88,8 +89,10 @@ def descriptor_cache(
         Where the motion is from.
     described : object
         All settings that descriptors depend on.
-    cache : str or None, default=None
-        Folder where descriptors are kept and, if nothing changed, reused. A dataset that holds
-        descriptors does not need it.
+    cache : str or None, default="${recording.root}/.cache"
+        Folder where descriptors, and settings that were chosen with them, are kept and, if
+        nothing changed, used again; None keeps nothing.
     """
-    return None if cache is None else DescriptorCache.of(cache, described, source.files())
+    if cache is None:
+        return KnownResults()
+    return KnownResults(Path(cache), digest(described, source.files()))

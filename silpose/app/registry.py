@@ -93,7 +93,7 @@ COMPONENTS: dict[str, Component] = {
     "tracking.hypotheses": _candidates("silpose.tracking:MultipleHypothesisTracker", *_TRACKER),
     "tracking.baselines": Component("silpose.tracking:SmoothingBaselines"),
     "fitting": Component("silpose.fitting:FittingOptions"),
-    "dataset": Component("silpose.app.compose:descriptor_cache"),
+    "dataset": Component("silpose.app.compose:known_results"),
     "recording": Component(
         "silpose.recording:RunFolder.start", ("experiment", "settings", "defaults", "rows")
     ),

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cache, partial
+from importlib.metadata import version
 from pathlib import Path
 from types import FunctionType
 from typing import Any, Self
@@ -18,9 +19,12 @@ from sklearn.base import BaseEstimator
 from silpose.core.array_files import read_npz
 from silpose.core.atomic_files import writing
 from silpose.core.digest import digest
+from silpose.core.errors import InputError
 from silpose.core.one_builder import one_builder
 from silpose.core.pose_space import PoseSpace
 from silpose.core.serialisation import State
+
+_LIBRARIES = ("mannequin-x", "numba", "numpy", "opencv-python-headless", "scikit-learn", "scipy")
 
 
 @dataclass(frozen=True)
@@ -60,10 +64,10 @@ class KnownResults:
         *depends_on
             All that the result depends on, besides the package's own code: see `described`.
 
-        Raises
-        ------
-        InputError
-            If the folder cannot be written to.
+        Returns
+        -------
+        result : plain value
+            Where it cannot be kept, a warning says so.
         """
         return self._recalled(compute, depends_on, ".json", _read_json, _write_json)
 
@@ -84,16 +88,29 @@ class KnownResults:
         if known.folder is None:
             return compute()
         file = known.folder / f"{known.given}{suffix}"
-        with one_builder(file):
-            try:
-                if file.is_file():
-                    return read(file)
-            except (OSError, ValueError) as error:
-                warnings.warn(f"'{file}' is damaged ({error}): it is made anew", stacklevel=3)
-            result = compute()
-            with writing(file) as temporary:
-                write(temporary, result)
-            return read(file)  # now and later the same, to the last digit
+        with one_builder(file) as kept:
+            return _kept(file, compute, read, write) if kept else compute()
+
+
+def _kept(
+    file: Path,
+    compute: Callable[[], Any],
+    read: Callable[[Path], Any],
+    write: Callable[[Path, Any], None],
+) -> Any:
+    try:
+        if file.is_file():
+            return read(file)
+    except (OSError, ValueError) as error:
+        warnings.warn(f"'{file}' is damaged ({error}): it is made anew", stacklevel=5)
+    result = compute()
+    try:
+        with writing(file) as temporary:
+            write(temporary, result)
+    except InputError as error:  # such as of a full disk
+        warnings.warn(f"{error}; the run goes on without it", stacklevel=5)
+        return result
+    return read(file)  # now and later the same, to the last digit
 
 
 def _read_json(file: Path) -> Any:
@@ -151,9 +168,10 @@ def described(thing: Any) -> Any:
 
 @cache
 def _code() -> str:
-    """Name the package's own code: whoever changes it wants other results."""
+    """Name the package's own code and the libraries it computes with: others, other results."""
     files = sorted(Path(__file__).parents[1].rglob("*.py"))
-    return digest([hashlib.sha256(file.read_bytes()).hexdigest() for file in files])
+    code = [hashlib.sha256(file.read_bytes()).hexdigest() for file in files]
+    return digest([code, [version(name) for name in _LIBRARIES]])
 
 
 def _plain(value: Any) -> Any:

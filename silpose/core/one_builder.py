@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from filelock import FileLock
 
-from silpose.core.errors import InputError
-
 
 @contextmanager
-def one_builder(file: Path) -> Iterator[None]:
+def one_builder(file: Path) -> Iterator[bool]:
     """Let one process alone build a file of a cache; the others wait until it has, or has died.
 
     Parameters
@@ -20,21 +19,25 @@ def one_builder(file: Path) -> Iterator[None]:
     file : Path
         Its folder is made where it is missing.
 
-    Raises
+    Yields
     ------
-    InputError
-        If the folder cannot be written to.
+    kept : bool
+        False, with a warning, where nothing can be kept there.
     """
+    lock = FileLock(file.with_suffix(".lock"))
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
-        lock = FileLock(file.with_suffix(".lock"))
         lock.acquire()
     except (OSError, NotImplementedError) as error:  # the latter of file systems without locks
         reason = error.strerror if isinstance(error, OSError) else "it has no locks"
-        raise InputError(
-            f"cannot write to '{file.parent}' ({reason}): choose another dataset.cache"
-        ) from error
+        warnings.warn(
+            f"cannot write to '{file.parent}' ({reason}): what is computed is not kept; choose "
+            "another dataset.cache",
+            stacklevel=2,
+        )
+        yield False
+        return
     try:
-        yield
+        yield True
     finally:
         lock.release()

@@ -6,13 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from silpose.core.errors import InputError
+from silpose.core.known_results import KnownResults
 from silpose.core.types import Metrics, Row
 from silpose.dataset import Dataset, DatasetSource, Renderer, Take
 from silpose.descriptor import ShapeContextHistogram
 from silpose.fitting import FittingOptions
 from silpose.model import (
     DescribedDataset,
-    DescriptorCache,
     FitterTraining,
     PoseFitter,
     TrackerTraining,
@@ -52,8 +52,8 @@ class Components:
     fitting : FittingOptions
         Whether and how bodies are fitted to masks.
     seed : int
-    cache : DescriptorCache or None
-        Holds descriptors from one run to the next.
+    known : callable
+        Gives the descriptors, and scores of settings, that runs before have left.
     video : callable
         Makes a `VideoMasks` of its settings, given source, person and frames_per_second.
     trained_by : callable
@@ -71,7 +71,7 @@ class Components:
     tracking: TrackingCandidates
     fitting: FittingOptions = field(default_factory=FittingOptions)
     seed: int = 0
-    cache: DescriptorCache | None = None
+    known: Callable[[], KnownResults] = KnownResults
     video: Callable[..., VideoMasks] = VideoMasks
     trained_by: Callable[[], str] = str
     run: RunFolder | None = None
@@ -86,7 +86,7 @@ def prepare(components: Components) -> DescribedDataset:
     data = components.load()
     if components.fitting.enabled:
         want_masks([*data.train, *data.validation, *data.test], "fitting.enabled=true")
-    return describe_dataset(data, components.descriptor, components.cache)
+    return describe_dataset(data, components.descriptor, components.known())
 
 
 def prepare_tracking(components: Components) -> TrackerTraining:

@@ -7,7 +7,6 @@ fitted parts to experiments, to recordings, and as one file to whoever loads it.
 from silpose.model.answers import check_rate
 from silpose.model.describe import Descriptor, describe_takes, fit_descriptor
 from silpose.model.described_masks import see_masks
-from silpose.model.descriptor_cache import DescriptorCache
 from silpose.model.fitter_training import FitterTraining
 from silpose.model.image_overlay import joints_in_image
 from silpose.model.loading import load
@@ -25,7 +24,6 @@ from silpose.model.trees import predict_tree
 __all__ = [
     "DescribedDataset",
     "Descriptor",
-    "DescriptorCache",
     "FitterTraining",
     "ModelCache",
     "PoseFitter",

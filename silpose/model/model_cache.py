@@ -14,12 +14,11 @@ from platformdirs import user_cache_path
 from silpose.core.digest import digest
 from silpose.core.errors import InputError
 from silpose.core.home_folder import expanded
-from silpose.model.descriptor_cache import DESCRIPTORS
 from silpose.model.loading import load
 from silpose.model.model_file import FORMAT
 from silpose.model.pose_model import PoseModel
 
-_TRAINING = 1  # one more whenever training makes something else of the same settings
+_TRAINING = 2  # one more whenever training makes something else of the same settings
 
 
 @dataclass(frozen=True)
@@ -60,7 +59,7 @@ class ModelCache:
             raise InputError(
                 "there is no home folder to keep the model in: choose a folder, cache=FOLDER"
             )
-        name = digest([version("silpose"), FORMAT, DESCRIPTORS, _TRAINING, trained_by])
+        name = digest([version("silpose"), FORMAT, _TRAINING, trained_by])
         return cls(place / f"model_{name}.npz")
 
     def fetch(self) -> PoseModel | None:

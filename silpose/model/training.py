@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from silpose.core.known_results import KnownResults
+from silpose.core.serialisation import State
 from silpose.core.stages import timed
 from silpose.core.types import Array, Examples, Metrics
 from silpose.dataset import Dataset, Take
@@ -16,7 +18,6 @@ from silpose.descriptor import ShapeContextHistogram
 from silpose.evaluation import baselines, measure
 from silpose.model.confidence import Confidence, train_confidence
 from silpose.model.describe import describe, fit_descriptor
-from silpose.model.descriptor_cache import DescriptorCache
 from silpose.model.pose_fitter import PoseFitter
 from silpose.model.pose_model import PoseModel
 from silpose.regression import (
@@ -178,7 +179,7 @@ class DescribedDataset:
 
 @timed("descriptors")
 def describe_dataset(
-    data: Dataset, descriptor: ShapeContextHistogram, cache: DescriptorCache | None = None
+    data: Dataset, descriptor: ShapeContextHistogram, known: KnownResults | None = None
 ) -> DescribedDataset:
     """Fit the codebook and describe every mask.
 
@@ -187,24 +188,21 @@ def describe_dataset(
     data : Dataset
     descriptor : ShapeContextHistogram
         Never changed: a copy is fitted to the training masks.
-    cache : DescriptorCache, optional
-        Both are read from it, if it holds them, and else written to it. Of several processes
-        that need the same, one writes it and the others read it. Its folder holds scores of
-        settings, too.
+    known : KnownResults, optional
+        Holds both from one run to the next, and scores of settings, too.
     """
+    known = known or KnownResults()
     splits = [data.train, data.validation, data.test]
     lengths = [len(take) for split in splits for take in split]
-    if cache is None or not any(take.has_masks for take in data.train):
+    if known.folder is None or not any(take.has_masks for take in data.train):
         fitted, z = _described(splits, descriptor)
     else:
-        with cache.building():
-            cached = cache.fetch(lengths)
-            fitted, z = cached or _described(splits, descriptor)
-            if cached is None and fitted is not None:
-                cache.store(fitted, z)
+        compute = partial(_described_state, splits, descriptor)
+        state = known.recall_arrays(compute, "descriptors", descriptor, lengths)
+        fitted = type(descriptor).from_arrays(state)
+        z = np.split(state["z"], np.cumsum(lengths)[:-1])
     rest = iter(z)
     parts = ([(next(rest), take.x) for take in split] for split in splits)
-    known = KnownResults(None if cache is None else cache.file.parent)
     return DescribedDataset(data, fitted, *parts, known=known)
 
 
@@ -214,6 +212,13 @@ def _described(
     """Fit a descriptor to the first split, and describe the takes of all."""
     fitted = fit_descriptor(descriptor, splits[0])
     return fitted, [own for split in splits for own in describe(fitted, split)]
+
+
+def _described_state(splits: Sequence[Sequence[Take]], descriptor: ShapeContextHistogram) -> State:
+    """Return the same as arrays."""
+    fitted, z = _described(splits, descriptor)
+    assert fitted is not None  # there are masks
+    return {"z": np.concatenate(z), **fitted.to_arrays()}
 
 
 @timed("evaluation")

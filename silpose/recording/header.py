@@ -16,7 +16,7 @@ import yaml
 
 from silpose.recording import entity_paths
 from silpose.recording.named_settings import flat, typed
-from silpose.recording.runs.setting_differences import differing
+from silpose.recording.runs.setting_differences import determines_results, differing
 from silpose.recording.sinks import Sinks
 
 if TYPE_CHECKING:
@@ -89,7 +89,11 @@ class Header:
         }
         groups: dict[str, dict[str, Any]] = {
             # As text: what is a number here may be a list, or nothing, in the next run.
-            "settings": {n: typed(v) for n, v in flat(self._choices()) if v is not None},
+            "settings": {
+                name: typed(value)
+                for name, value in flat(yaml.safe_load(self.settings) or {})
+                if value is not None and determines_results(name)
+            },
             "metrics": values,
             "versions": versions(),
         }
@@ -97,17 +101,12 @@ class Header:
 
     def _settings_in_words(self) -> str:
         """List the settings that differ from the defaults, as one would type them."""
-        both = [self._choices(), yaml.safe_load(self.defaults) or {}]
+        both = [yaml.safe_load(text) or {} for text in (self.settings, self.defaults)]
         chosen = {name: value for name, value in differing(both)[0].items() if value is not None}
         if not chosen:
             return "All settings have their defaults."
         typed_ = "\n".join(f"{name}={typed(value)}" for name, value in chosen.items())
         return f"Settings that differ from the defaults:\n\n```\n{typed_}\n```\n"
-
-    def _choices(self) -> dict[str, Any]:
-        """All settings but where the recording goes: those that determine the results."""
-        choices = yaml.safe_load(self.settings) or {}
-        return {name: value for name, value in choices.items() if name != "recording"}
 
 
 def results_table(results: Results, of: str = "method") -> str:

@@ -1,3 +1,5 @@
+from pathlib import Path
+
 from silpose.app import build_components, load
 from silpose.descriptor import ShapeContextHistogram
 from silpose.regression import Basis, MixtureOfRegressors, SupportVectorRegressor
@@ -29,8 +31,11 @@ def test_components_are_of_the_settings():
 
 def test_the_cache_is_named_by_what_descriptors_depend_on(tmp_path):
     def file(*overrides):
-        return build_components(load([f"dataset.cache={tmp_path}", *overrides])).cache.file
+        return build_components(load(overrides)).known().given
 
-    assert build_components(load()).cache is None
+    assert build_components(load()).known().folder == Path("recordings/.cache")
+    assert build_components(load(["recording.root=x"])).known().folder == Path("x/.cache")
+    assert build_components(load(["dataset.cache=null"])).known().folder is None
+    assert file() == file("dataset.cache=elsewhere")
     assert file() == file("regression.slack=0.1", "n_jobs=1")
     assert len({file(), file("seed=1"), file("motion.seconds=3"), file("descriptor.radius=1")}) == 4

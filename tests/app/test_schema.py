@@ -152,7 +152,7 @@ def test_every_parameter_is_settable_and_arrives(
         _, given = build_components(settings).video.args  # it is built where a film is opened
         assert same(given[parameter.name], value)
     elif parameter.name == "cache":
-        assert build_components(settings).cache.file.parent.name == value
+        assert build_components(settings).known().folder.name == value
     else:
         assert same(getattr(found(group, build_components(settings)), parameter.name), value)
 

@@ -1,3 +1,4 @@
+import errno
 import json
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -129,11 +130,32 @@ def test_a_file_system_without_locks_is_named(tmp_path, monkeypatch):
         raise NotImplementedError
 
     monkeypatch.setattr("silpose.core.one_builder.FileLock.acquire", acquire)
-    with pytest.raises(InputError, match=r"it has no locks.*choose another dataset\.cache"):
-        KnownResults(tmp_path).recall(lambda: 1, "a")
+    with pytest.warns(UserWarning, match=r"it has no locks.*choose another dataset\.cache"):
+        assert KnownResults(tmp_path).recall(lambda: 1, "a") == 1
 
 
 def test_a_folder_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(InputError, match=r"choose another dataset\.cache"):
-        KnownResults(tmp_path / "file" / "cache").recall(lambda: 1, "a")
+    with pytest.warns(UserWarning, match=r"is not kept; choose another dataset\.cache"):
+        assert KnownResults(tmp_path / "file" / "cache").recall(lambda: 1, "a") == 1
+
+
+def test_where_a_disk_is_full_the_result_is_there_and_not_kept(tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("silpose.core.known_results._write_json", full)
+    known = KnownResults(tmp_path)
+    with pytest.warns(UserWarning, match=r"No space left.*goes on without it"):
+        assert known.recall(lambda: [1], "a") == [1]
+    assert not list(tmp_path.glob("*.json"))
+
+
+@pytest.mark.parametrize("error", [InputError("no takes"), KeyboardInterrupt()])
+def test_what_fails_while_it_is_computed_is_told(tmp_path, error):
+    def compute():
+        raise error
+
+    with pytest.raises(type(error)):
+        KnownResults(tmp_path).recall(compute, "a")
+    assert not list(tmp_path.glob("*.json"))

@@ -8,9 +8,10 @@ from small_components import with_regression
 
 import silpose
 from silpose.core.errors import InputError
+from silpose.core.known_results import KnownResults
 from silpose.evaluation import BASELINES
 from silpose.fitting import FittingOptions
-from silpose.model import DescriptorCache, training
+from silpose.model import training
 from silpose.model.confidence.calibration_examples import CalibrationExamples
 from silpose.recording.captions import in_words
 from silpose.regression import Basis, Candidates, RidgeRegressor
@@ -98,7 +99,7 @@ def test_own_masks_and_unknown_methods_are_refused(run, walkers):
 def test_descriptors_are_described_once_where_there_is_a_cache(
     run, performers, tmp_path, monkeypatch
 ):
-    cached = replace(performers, cache=DescriptorCache.of(tmp_path / "cache", {}, []))
+    cached = replace(performers, known=lambda: KnownResults(tmp_path / "cache"))
     wide = with_regression(cached, basis=Candidates(Basis(width=4)))
     first = run("single_image", wide, record=False, methods=["ridge"], show="ridge")
     monkeypatch.setattr(training, "describe", None)  # which is not needed again,

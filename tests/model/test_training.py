@@ -1,13 +1,16 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from synthetic import motion
 
+from silpose.core.known_results import KnownResults
 from silpose.core.pose_space import ANGLES
 from silpose.core.stages import timing
 from silpose.dataset import Dataset, render_take
 from silpose.descriptor import ShapeContextHistogram
 from silpose.evaluation import BASELINES
-from silpose.model import DescriptorCache, compare, describe_dataset
+from silpose.model import compare, describe_dataset
 from silpose.regression import Basis, Candidates, RegressionCandidates, RidgeRegressor
 
 REGRESSION = RegressionCandidates(
@@ -81,12 +84,27 @@ def test_groups_are_performers_where_these_are_kept_apart(data, described):
 
 
 def test_a_cache_takes_the_place_of_describing(data, described, tmp_path, monkeypatch):
-    cache = DescriptorCache.of(tmp_path, {}, [])
-    descriptor = ShapeContextHistogram(codebook_size=20)
-    describe_dataset(data, descriptor, cache)
-    monkeypatch.setattr("silpose.model.training.describe", None)
-    cached = describe_dataset(data, descriptor, cache)
+    descriptor, known = ShapeContextHistogram(codebook_size=20), KnownResults(tmp_path)
+    describe_dataset(data, descriptor, known)
+    monkeypatch.setattr("silpose.model.training.describe", None)  # which is not needed again
+    cached = describe_dataset(data, descriptor, known)
     np.testing.assert_array_equal(cached.joined("test")[0], described.joined("test")[0])
+    np.testing.assert_array_equal(cached.descriptor.codebook_, described.descriptor.codebook_)
+
+
+@pytest.mark.parametrize("changed", ["data", "descriptor", "frames"])
+def test_what_descriptors_depend_on_is_described_anew(data, tmp_path, monkeypatch, changed):
+    descriptor, known = ShapeContextHistogram(codebook_size=20), KnownResults(tmp_path)
+    describe_dataset(data, descriptor, known)
+    monkeypatch.setattr("silpose.model.training.describe", None)
+    if changed == "data":
+        known = known.depending_on("other data")
+    elif changed == "descriptor":
+        descriptor = ShapeContextHistogram(codebook_size=19)
+    else:
+        data = replace(data, test=[])
+    with pytest.raises(TypeError, match="'NoneType' object is not callable"):
+        describe_dataset(data, descriptor, known)
 
 
 def test_the_model_predicts_from_masks_as_the_regressor_from_descriptors(data, described):

@@ -54,7 +54,6 @@ class _Run:
         """
         overrides = [
             f"experiment={part.experiment}", f"seed={part.seed}", "n_jobs=1", *part.overrides,
-            f"dataset.cache='{root / 'descriptors'}'",
             f"recording.root='{root}'", f"recording.name='{part.name}'",
         ]  # fmt: skip
         settings = OmegaConf.to_yaml(load(overrides), resolve=True)

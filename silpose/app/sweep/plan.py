@@ -20,9 +20,6 @@ from silpose.core.errors import InputError
 from silpose.recording.header import versions
 from silpose.recording.runs.sweep_folder import read_definition, write_definition
 
-CACHE = ".descriptors"
-"""Folder below that of recordings where the runs of sweeps share descriptors."""
-
 _NO_MATTER = (
     "hydra", "n_jobs", "engine", "address", "debug", "dataset.cache", "recording.root",
     "recording.sweep",
@@ -136,8 +133,6 @@ def plan_sweep(typed: Sequence[str]) -> SweepPlan:
         raise InputError(f"recording.sweep must be the name of one folder, not '{name}'")
     root = Path(paths["recording.root"])
     given = paths | {"recording.sweep": name}
-    if "dataset.cache" not in everything:
-        given["dataset.cache"] = str(root / CACHE)
     kept = [o.input_line or "" for key, o in own.items() if key not in given]
     experiments = values_of(varied["experiment"]) if "experiment" in varied else None
     return SweepPlan(

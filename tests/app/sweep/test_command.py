@@ -101,7 +101,7 @@ def test_descriptors_are_shared_unless_told_otherwise(sweep, monkeypatch, tmp_pa
     monkeypatch.setattr("silpose.app.run.run_experiment", remember)
     sweep("-m", "seed=1")
     sweep("-m", "seed=2", "dataset.cache=null")
-    assert caches == [str(tmp_path / "recordings/.descriptors"), None]
+    assert caches == [str(tmp_path / "recordings/.cache"), None]
 
 
 WRONG = {

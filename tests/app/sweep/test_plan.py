@@ -12,7 +12,6 @@ def test_paths_are_absolute_before_jobs_are_sent(tmp_path, monkeypatch):
     plan = plan_sweep(["motion=bvh", "motion.root=${oc.env:MOCAP}", "seed=1,2"])
     assert f"motion.root='{tmp_path / 'captured'}'" in plan.overrides
     assert f"recording.root='{tmp_path / 'recordings'}'" in plan.overrides
-    assert f"dataset.cache='{tmp_path / 'recordings/.descriptors'}'" in plan.overrides
     assert plan.folders == (tmp_path / "recordings/single_image" / plan.name,)
     assert plan.runs == 2
 
