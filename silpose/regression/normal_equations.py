@@ -67,6 +67,12 @@ class NormalEquations:
             scale,
         )
 
+    def gram_among(self, kept: Indices) -> Array:
+        """Copy the Gram matrix of some of the basis functions."""
+        if len(kept) == len(self.gram):
+            return self.gram.copy()
+        return self.gram.take(kept, axis=0).take(kept, axis=1)  # faster than by both at once
+
     def solve(self, damping: float | Array) -> Array:
         """Minimise ‖F A - Y‖² + Σ_k damping_k ‖a_k‖², a_k being the k-th row of A (p, m)."""
         return solve_damped(self.gram.copy(), self.target, damping)
@@ -74,7 +80,7 @@ class NormalEquations:
     def restrict(self, kept: Indices) -> NormalEquations:
         """Return the problem with some of the basis functions only."""
         return NormalEquations(
-            self.gram[np.ix_(kept, kept)],
+            self.gram_among(kept),
             self.target[kept],
             self.power,
             self.count,

@@ -93,7 +93,7 @@ def _remove(system: NormalEquations, kept: Indices, number: int) -> Indices:
     # With P the inverse of the damped Gram matrix, losing a column raises the damped squared error
     # by ‖a_k‖² / P_kk, and subtracts u uᵀ, u = P_:k / √P_kk, from P. What is needed next is its
     # diagonal and one column: the whole is changed for many u at once, by one matrix product.
-    gram = system.gram[np.ix_(kept, kept)]
+    gram = system.gram_among(kept)
     gram.flat[:: len(gram) + 1] += _DAMPING
     inverse = cholesky_inverse(gram)
     diagonal = inverse.diagonal().copy()
