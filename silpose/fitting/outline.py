@@ -13,6 +13,7 @@ import numpy as np
 from numba import njit
 
 from silpose.core.types import Array, Indices
+from silpose.fitting.convex_hull import convex_hull
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.view import View
 
@@ -126,13 +127,13 @@ def _shadows(
         Least and greatest x, then y.
     """
     links, most = geometry.points.shape[0], geometry.points.shape[1]
-    flat, hull = np.empty((most, 2)), np.empty(2 * most + 2, np.int64)
+    flat, hull, order = np.empty((most, 2)), np.empty(2 * most, np.int64), np.empty(most, np.int64)
     hulls, sizes = np.empty((links, most), np.int64), np.empty(links, np.int64)
     corners, boxes = np.empty((links, most + 1, 2)), np.empty((links, 4))
     for link in range(links):
         node, own = geometry.nodes[link], geometry.counts[link]
         project(geometry.points[link], own, rotations[node], positions[node] + root, view, flat)
-        size = _convex_hull(flat[:own], hull)
+        size = convex_hull(flat[:own], hull, order)
         hulls[link, :size], sizes[link] = hull[:size], size
         _close(flat, hull, size, corners[link], boxes[link])
     return hulls, sizes, corners, boxes
@@ -169,28 +170,6 @@ def project(
         unit = scale / max(view.distance - sine * y - cosine * z, _NEAREST)
         flat[k, 0] = unit * x + across
         flat[k, 1] = unit * (sine * z - cosine * y) + down
-
-
-@njit(cache=True)
-def _convex_hull(points: Array, hull: Indices) -> int:
-    """Andrew's monotone chain: writes the hull's corners in order, returns their number."""
-    order = np.argsort(points[:, 0])
-    count = len(order)
-    size, lower = 0, 2
-    for i in range(2 * count - 1):  # to the right along one side, and back along the other
-        if i == count:
-            lower = size + 1
-        k = order[i if i < count else 2 * count - 2 - i]
-        x, y = points[k, 0], points[k, 1]
-        while size >= lower:
-            ax, ay = points[hull[size - 2], 0], points[hull[size - 2], 1]
-            bx, by = points[hull[size - 1], 0], points[hull[size - 1], 1]
-            if (bx - ax) * (y - ay) - (by - ay) * (x - ax) > 1e-12:
-                break
-            size -= 1
-        hull[size] = k
-        size += 1
-    return max(size - 1, 1)
 
 
 @njit(cache=True)
