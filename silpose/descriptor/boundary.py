@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import cv2
-import numba
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from silpose.core.compiled import compiled
 from silpose.core.errors import InputError
 
 Masks = NDArray[Any] | Sequence[ArrayLike]
@@ -122,7 +122,7 @@ def _closed(mask: NDArray[np.uint8], closing: float) -> tuple[NDArray[np.uint8],
     return np.asarray(closed, np.uint8), (left - margin, top - margin)
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def extent(pixels: Pixels) -> float:  # pragma: no cover
     """Size of a silhouette: root mean square distance of boundary pixels from their centre."""
     x, y, squares = 0.0, 0.0, 0.0
@@ -135,7 +135,7 @@ def extent(pixels: Pixels) -> float:  # pragma: no cover
     return float(np.sqrt(max(squares / count - (x / count) ** 2 - (y / count) ** 2, 0.0)))
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def spaced_indices(
     pixels: Pixels, lengths: Pixels, count: int, spacing: float
 ) -> Pixels:  # pragma: no cover

@@ -9,10 +9,10 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import NamedTuple
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Array32
 from silpose.descriptor.boundary import Pixels
 
@@ -97,7 +97,7 @@ class ContextBins(NamedTuple):
         return _filled(bounds, angular_bins, across)
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def shape_contexts(
     pixels: Pixels, points: Pixels, offsets: ContextBins
 ) -> Array32:  # pragma: no cover
@@ -160,7 +160,7 @@ def _shared(bounds: bytes, angular_bins: int, across: int) -> ContextBins:
     return _filled(np.frombuffer(bounds), angular_bins, across)
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def _bins_of_offsets(
     bounds: Array,
     sectors: NDArray[np.int16],
@@ -184,7 +184,7 @@ def _bins_of_offsets(
     return table
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def _in_rows(pixels: Pixels, width: int) -> tuple[int, int, Pixels, Pixels]:  # pragma: no cover
     """Sort pixels by row; return left and top, the start of each row, and the addresses."""
     left, top, bottom = pixels[0, 0], pixels[0, 1], pixels[0, 1]

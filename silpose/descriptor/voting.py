@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Array32
 
 _ROUNDS = 40  # halvings after which an interval of float32 contains equal numbers only
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def soft_votes(
     contexts: Array32, transposed: Array32, norms: Array32, voters: int, width: float
 ) -> tuple[Array, NDArray[np.int32]]:  # pragma: no cover
@@ -63,7 +63,7 @@ def soft_votes(
     return votes, nearest
 
 
-@numba.njit(cache=True, nogil=True, fastmath={"contract"})
+@compiled(fastmath={"contract"})
 def _squared_distances(
     context: Array32,
     transposed: Array32,
@@ -94,7 +94,7 @@ def _squared_distances(
             squared[k] -= a * row_a[k] + b * row_b[k] + c * row_c[k] + d * row_d[k]
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def _smallest(values: Array32, wanted: int, chosen: NDArray[np.int32]) -> int:  # pragma: no cover
     """Put the indices of the `wanted` smallest values into `chosen`, in increasing order.
 
@@ -128,7 +128,7 @@ def _smallest(values: Array32, wanted: int, chosen: NDArray[np.int32]) -> int:  
     return count
 
 
-@numba.njit(cache=True, nogil=True, fastmath=True)
+@compiled(fastmath=True)
 def _ends(values: Array32) -> tuple[np.float32, np.float32]:  # pragma: no cover
     low, high = values[0], values[0]
     for k in range(len(values)):

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from numba import njit
-
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Indices
 
 _ON_THE_LINE = 1e-12  # pixels², twice the area of a triangle without any
 
 
-@njit(cache=True)
+@compiled()
 def convex_hull(points: Array, hull: Indices, order: Indices) -> int:
     """Find the corners of points in the plane.
 
@@ -48,7 +47,7 @@ def convex_hull(points: Array, hull: Indices, order: Indices) -> int:
     return max(size - 1, 1)
 
 
-@njit(cache=True)
+@compiled()
 def _outer(points: Array, order: Indices) -> int:
     """Write the points that are not within the octagon from left to right, return their number."""
     octagon = _octagon(points)
@@ -72,7 +71,7 @@ def _outer(points: Array, order: Indices) -> int:
     return count
 
 
-@njit(cache=True)
+@compiled()
 def _octagon(points: Array) -> tuple[int, int, int, int, int, int, int, int]:
     """Find the outermost points to the right, right and up, up, and so on around."""
     right = up = left = down = right_up = left_up = left_down = right_down = 0

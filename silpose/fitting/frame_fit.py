@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array
 from silpose.fitting.likelihood import Observation, add_evidence, misfit_of
 from silpose.fitting.limits import add_limits
@@ -33,7 +33,7 @@ class Gaussian(NamedTuple):
     precision: Array
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def fit_frame(
     start: Array, prior: Gaussian, observation: Observation, iterations: int, done: int
 ) -> tuple[Array, Array, float]:
@@ -128,7 +128,7 @@ def _among(end: Array, others: Array, costs: Array) -> bool:
     return any(np.abs(own).mean() < _ALIKE for own in off)
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def _widened(observation: Observation, factor: float) -> Observation:
     contour, root, geometry, view, matching = observation
     wide = Matching(

@@ -14,8 +14,8 @@ from __future__ import annotations
 from math import cos, exp, sin
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Indices
 from silpose.fitting.geometry import SHAPES, Geometry
 from silpose.fitting.outline import Outline
@@ -27,7 +27,7 @@ OTHERS = 4 + SHAPES
 """Parameters that are no angles: of the camera and the shape."""
 
 
-@njit(cache=True)
+@compiled()
 def slopes_of(
     outline: Outline, rotations: Array, root: Array, geometry: Geometry, view: View, others: int
 ) -> Array:
@@ -81,7 +81,7 @@ def slopes_of(
     return slopes
 
 
-@njit(cache=True)
+@compiled()
 def _write_shape_slopes(
     points: Array, one: int, two: int, share: float, rotation: Array, moved: Array, slopes: Array
 ) -> None:
@@ -95,7 +95,7 @@ def _write_shape_slopes(
             slopes[1, 10 + k] += slopes[1, 3 + row] * along
 
 
-@njit(cache=True)
+@compiled()
 def _node_slopes(rotations: Array, geometry: Geometry) -> Array:
     """Find how the posed tree's nodes move with the shape, shape (10, N, 3)."""
     moved = np.zeros((SHAPES, len(geometry.parents), 3))
@@ -113,7 +113,7 @@ def _node_slopes(rotations: Array, geometry: Geometry) -> Array:
     return moved
 
 
-@njit(cache=True)
+@compiled()
 def add_products(
     squares: Array,
     pulls: Array,
@@ -167,7 +167,7 @@ def add_products(
             hessian[ANGLES + k, ANGLES + column] += squares[0, WRENCH + k, WRENCH + column]
 
 
-@njit(cache=True)
+@compiled()
 def _twists(positions: Array, axes: Array) -> Array:
     """Find the twist of each of a node's three angles, shape (N, 3, 6)."""
     twists = np.zeros((len(positions), 3, WRENCH))
@@ -182,7 +182,7 @@ def _twists(positions: Array, axes: Array) -> Array:
     return twists
 
 
-@njit(cache=True)
+@compiled()
 def _add_angles(
     own: int,
     node: int,

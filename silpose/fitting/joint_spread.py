@@ -5,15 +5,15 @@ from __future__ import annotations
 from math import sqrt
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.kinematics import pose_tree
 from silpose.fitting.parameters import ANGLES
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def joint_spread(angles: Array, covariance: Array, geometry: Geometry) -> float:
     """Find the root mean square error that is expected of the joints, metres, root at the origin.
 

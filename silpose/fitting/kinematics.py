@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import acos, cos, sin, sqrt, tan
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.skeleton import JOINTS
 from silpose.core.skeleton.compiled import turn
 from silpose.core.types import Array
@@ -16,7 +16,7 @@ _CHEST = JOINTS.index("chest")
 _SMALL = 1e-6  # radians, below which a rotation is its first-order term
 
 
-@njit(cache=True)
+@compiled()
 def pose_tree(angles: Array, geometry: Geometry) -> tuple[Array, Array, Array]:
     """Pose the tree.
 
@@ -76,7 +76,7 @@ def pose_tree(angles: Array, geometry: Geometry) -> tuple[Array, Array, Array]:
     return rotations, positions, axes
 
 
-@njit(cache=True)
+@compiled()
 def _share_chest(local: Array, axes: Array) -> None:
     """Replace the chest's rotation by a third of it, and its axes by those of the third.
 
@@ -89,12 +89,12 @@ def _share_chest(local: Array, axes: Array) -> None:
     axes[_CHEST] = turn
 
 
-@njit(cache=True)
+@compiled()
 def _cross_matrix(v: Array) -> Array:
     return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
 
 
-@njit(cache=True)
+@compiled()
 def _logarithm(rotation: Array) -> Array:
     """Rotation vector of a matrix."""
     cosine = (rotation[0, 0] + rotation[1, 1] + rotation[2, 2] - 1) / 2
@@ -109,7 +109,7 @@ def _logarithm(rotation: Array) -> Array:
     return twice / 2 if angle < _SMALL else twice * angle / (2 * max(sin(angle), _SMALL))
 
 
-@njit(cache=True)
+@compiled()
 def _exponential(v: Array) -> Array:
     """Matrix of a rotation vector."""
     angle, cross = sqrt((v**2).sum()), _cross_matrix(v)
@@ -118,7 +118,7 @@ def _exponential(v: Array) -> Array:
     return np.eye(3) + sin(angle) / angle * cross + (1 - cos(angle)) / angle**2 * (cross @ cross)
 
 
-@njit(cache=True)
+@compiled()
 def _left_jacobian(v: Array) -> Array:
     angle, cross = sqrt((v**2).sum()), _cross_matrix(v)
     if angle < _SMALL:
@@ -127,7 +127,7 @@ def _left_jacobian(v: Array) -> Array:
     return np.eye(3) + (1 - cos(angle)) / angle**2 * cross + second * (cross @ cross)
 
 
-@njit(cache=True)
+@compiled()
 def _inverse_left_jacobian(v: Array) -> Array:
     angle, cross = sqrt((v**2).sum()), _cross_matrix(v)
     if angle < _SMALL:

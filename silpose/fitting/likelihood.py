@@ -15,8 +15,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Indices
 from silpose.fitting.contour import Contour
 from silpose.fitting.geometry import Geometry
@@ -51,7 +51,7 @@ class Observation(NamedTuple):
     matching: Matching
 
 
-@njit(cache=True)
+@compiled()
 def add_evidence(
     parameters: Array, observation: Observation, hessian: Array, gradient: Array
 ) -> float:
@@ -85,7 +85,7 @@ def add_evidence(
     return pairs.misfit
 
 
-@njit(cache=True)
+@compiled()
 def _add_pairs(
     pairs: Pairs, slopes: Array, nodes: Indices, normals: Array, squares: Array, pulls: Array
 ) -> None:
@@ -105,7 +105,7 @@ def _add_pairs(
                 squares[node, row, column] += weighted * slope[column]
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def misfit_of(parameters: Array, observation: Observation) -> float:
     """Minus twice the robust log-likelihood alone, as `add_evidence` returns it."""
     contour, root, geometry, view, matching = observation

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.skeleton import EULER_ORDERS, JOINTS
 from silpose.core.types import Array
 
@@ -42,7 +42,7 @@ def _bound(side: int) -> Array:
 _LOWEST, _HIGHEST = _bound(0), _bound(1)
 
 
-@njit(cache=True)
+@compiled()
 def add_limits(parameters: Array, hessian: Array, gradient: Array) -> float:
     """Add what draws angles back that are beyond their limits.
 

@@ -6,8 +6,8 @@ from math import log
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Indices
 from silpose.fitting.contour import Contour
 from silpose.fitting.outline import Outline
@@ -63,7 +63,7 @@ class Pairs(NamedTuple):
     misfit: float
 
 
-@njit(cache=True)
+@compiled()
 def compare(outline: Outline, contour: Contour, matching: Matching) -> Pairs:
     """Match two contours both ways; neither is empty."""
     pixels, observed, normals = outline.pixels, contour.pixels, contour.normals
@@ -90,7 +90,7 @@ def compare(outline: Outline, contour: Contour, matching: Matching) -> Pairs:
     return Pairs(first, second, residuals, weights, misfit)
 
 
-@njit(cache=True)
+@compiled()
 def _partners(
     pixels: Array, normals: Array, other_pixels: Array, other_normals: Array, normal_weight: float
 ) -> tuple[Indices, Array, Indices, Array]:

@@ -10,8 +10,8 @@ from math import cos, exp, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Indices
 from silpose.fitting.convex_hull import convex_hull
 from silpose.fitting.geometry import Geometry
@@ -49,7 +49,7 @@ class Outline(NamedTuple):
     world: Array
 
 
-@njit(cache=True)
+@compiled()
 def outline_of(
     rotations: Array, positions: Array, root: Array, geometry: Geometry, view: View
 ) -> Outline:
@@ -109,7 +109,7 @@ def outline_of(
     )  # fmt: skip
 
 
-@njit(cache=True)
+@compiled()
 def _shadows(
     rotations: Array, positions: Array, root: Array, geometry: Geometry, view: View
 ) -> tuple[Indices, Indices, Array, Array]:
@@ -142,7 +142,7 @@ def _shadows(
 # Inner loops get plain arrays: tuples of arrays passed to a function cost more than its work.
 
 
-@njit(cache=True)
+@compiled()
 def _mix(
     points: Array, one: int, two: int, share: float, rotation: Array, place: Array, mixed: Array
 ) -> None:
@@ -154,7 +154,7 @@ def _mix(
             mixed[row] += rotation[row, c] * between
 
 
-@njit(cache=True)
+@compiled()
 def project(
     points: Array, count: int, rotation: Array, place: Array, view: View, flat: Array
 ) -> None:
@@ -172,7 +172,7 @@ def project(
         flat[k, 1] = unit * (sine * z - cosine * y) + down
 
 
-@njit(cache=True)
+@compiled()
 def _close(flat: Array, hull: Indices, size: int, corners: Array, box: Array) -> None:
     """Write a hull's corners, the first again at the end, and its bounding box."""
     box[0], box[1], box[2], box[3] = np.inf, -np.inf, np.inf, -np.inf
@@ -183,7 +183,7 @@ def _close(flat: Array, hull: Indices, size: int, corners: Array, box: Array) ->
         box[2], box[3] = min(box[2], y), max(box[3], y)
 
 
-@njit(cache=True)
+@compiled()
 def _cover(
     x: float, y: float, own: int, likely: int, corners: Array, sizes: Indices, boxes: Array
 ) -> int:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Mask
 from silpose.fitting.contour import SPACING, Contour
 from silpose.fitting.geometry import Geometry
@@ -15,7 +15,7 @@ from silpose.fitting.view import View
 from silpose.silhouette import fill_pieces
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def projected_links(parameters: Array, root: Array, geometry: Geometry, view: View) -> Array:
     """Project the links' points of the body that parameters (P,) describe, shape (L, K, 2)."""
     shaped, seen = shaped_by(parameters, geometry), seen_by(parameters, view)

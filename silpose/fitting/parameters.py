@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array
 from silpose.fitting.geometry import SHAPES, Geometry
 from silpose.fitting.view import View
@@ -25,7 +25,7 @@ _LONGEST_SHIFT = 30.0  # pixels
 _LONGEST_SHAPE = 1.0
 
 
-@njit(cache=True)
+@compiled()
 def seen_by(parameters: Array, view: View) -> View:
     """Change the view by the parameters."""
     if len(parameters) == ANGLES:
@@ -38,7 +38,7 @@ def seen_by(parameters: Array, view: View) -> View:
     )  # fmt: skip
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def shaped_by(parameters: Array, geometry: Geometry) -> Geometry:
     """Change the body's shape by the parameters."""
     if len(parameters) <= SHAPE:
@@ -54,7 +54,7 @@ def shaped_by(parameters: Array, geometry: Geometry) -> Geometry:
     )  # fmt: skip
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def difference(one: Array, other: Array) -> Array:
     """Parameters minus other parameters, angles wrapped to half a turn."""
     off = one - other
@@ -63,7 +63,7 @@ def difference(one: Array, other: Array) -> Array:
     return off
 
 
-@njit(cache=True)
+@compiled()
 def take_step(parameters: Array, step: Array) -> float:
     """Add a step to the parameters, each part at most so long that the linear model holds.
 

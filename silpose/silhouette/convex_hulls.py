@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from silpose.core.compiled import compiled
 
-@njit(cache=True, nogil=True)
+
+@compiled()
 def convex_hulls(
     pieces: NDArray[np.int32],
 ) -> tuple[NDArray[np.int32], NDArray[np.intp]]:  # pragma: no cover
@@ -47,7 +48,7 @@ def convex_hulls(
     return hulls, counts
 
 
-@njit(cache=True, nogil=True, inline="always")
+@compiled(inline="always")
 def _next_corner(points: NDArray[np.int32], corner: int) -> int:  # pragma: no cover
     """Find the point that has all others on one side, the farthest of several on a line."""
     best, x, y = corner, 0, 0

@@ -5,15 +5,15 @@ from __future__ import annotations
 from math import cos, sin
 
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.skeleton.joints import POINTS
 from silpose.core.types import Array, Indices
 
 _CHEST = POINTS.index("chest")
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def from_euler(radians: Array, orders: Indices) -> Array:  # pragma: no cover
     """Rotations (F, J, 3, 3) from angles (F, J, 3) about the axes (J, 3), each by its number."""
     rotations = np.empty((*radians.shape, 3))
@@ -27,7 +27,7 @@ def from_euler(radians: Array, orders: Indices) -> Array:  # pragma: no cover
     return rotations
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def turn(rotation: Array, axis: int, angle: float, turned: Array) -> None:  # pragma: no cover
     """Write a rotation times one about an axis, radians, into another matrix."""
     one, two = (axis + 1) % 3, (axis + 2) % 3
@@ -38,7 +38,7 @@ def turn(rotation: Array, axis: int, angle: float, turned: Array) -> None:  # pr
         turned[row, two] = cosine * rotation[row, two] - sine * rotation[row, one]
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def placed(
     rotations: Array, bend: Array, parents: Indices, offsets: Array
 ) -> tuple[Array, Array]:  # pragma: no cover

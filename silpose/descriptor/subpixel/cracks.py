@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array
 from silpose.descriptor.boundary import Pixels
 
@@ -47,7 +47,7 @@ class Runs(NamedTuple):
     counts: Pixels
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def runs_along(pixels: Pixels, lengths: Pixels) -> Runs:  # pragma: no cover
     """Walk along the cracks of contours.
 
@@ -99,7 +99,7 @@ def runs_along(pixels: Pixels, lengths: Pixels) -> Runs:  # pragma: no cover
     return Runs(starts[: run + 1], sides[: run + 1], cracks[: run + 1], counts)
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def block_size(runs: Runs, longer: int) -> int:  # pragma: no cover
     """Size of the blocks that a mask consists of, if it was enlarged without smoothing.
 
@@ -129,7 +129,7 @@ def block_size(runs: Runs, longer: int) -> int:  # pragma: no cover
     return block
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def crack_middles(
     runs: Runs, block: int, left: int, top: int
 ) -> tuple[Array, NDArray[np.int32]]:  # pragma: no cover

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Array
 from silpose.descriptor.boundary import Pixels
 from silpose.descriptor.subpixel.cracks import block_size, crack_middles, runs_along
@@ -47,7 +47,7 @@ class LatticeBoundary(NamedTuple):
     farthest: int
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def lattice_boundary(
     pixels: Pixels, lengths: Pixels, edges: Array = NO_EDGES
 ) -> LatticeBoundary:  # pragma: no cover
@@ -111,7 +111,7 @@ def lattice_boundary(
     return LatticeBoundary(lattice, spaced, block / scale, farthest)
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def smoothed(points: Array, counts: Pixels) -> Array:  # pragma: no cover
     """Smooth closed curves, with weights of -1, 4, 10, 4 and -1 sixteenths.
 
@@ -144,7 +144,7 @@ def smoothed(points: Array, counts: Pixels) -> Array:  # pragma: no cover
     return smooth
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def _along_edges(
     points: Array, following: Pixels, block: int, left: int, top: int, edges: Array
 ) -> NDArray[np.bool_]:  # pragma: no cover
@@ -163,7 +163,7 @@ def _along_edges(
     return steps if not steps.all() else np.zeros_like(steps)
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def _following(counts: Pixels) -> Pixels:  # pragma: no cover
     """Index of the point after each on its closed curve."""
     following = np.arange(1, counts.sum() + 1).astype(np.int32)
@@ -174,7 +174,7 @@ def _following(counts: Pixels) -> Pixels:  # pragma: no cover
     return following
 
 
-@numba.njit(cache=True, nogil=True)
+@compiled()
 def _spaced(
     points: Array, following: Pixels, along: Array, count: int
 ) -> Array:  # pragma: no cover

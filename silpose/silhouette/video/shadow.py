@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
-from numba import njit
 
+from silpose.core.compiled import compiled
 from silpose.core.types import Mask
 from silpose.silhouette.video.frame import Picture
 
@@ -51,7 +51,7 @@ def shadow(
     return shadows
 
 
-@njit(cache=True, nogil=True)
+@compiled()
 def _tell(
     seen: Picture, usual: Picture, mask: Mask, darkest: float, chroma: float, shadows: Mask
 ) -> None:
