@@ -36,7 +36,7 @@ class Gaussian(NamedTuple):
 @compiled()
 def fit_frame(
     start: Array, prior: Gaussian, observation: Observation, iterations: int, done: int
-) -> tuple[Array, Array, float]:
+) -> tuple[Array, Array, float, float]:
     """Minimise misfit of contours and distance from the prior.
 
     At first, what is far away pulls more than it does in the end [1]_: so a limb is drawn to its
@@ -60,6 +60,8 @@ def fit_frame(
         Of the last step: the inverse of the posterior covariance.
     cost : float
         Minus twice the log posterior density, up to a constant.
+    misfit : float
+        That part of it which `misfit_of` the parameters is.
 
     References
     ----------
@@ -77,10 +79,17 @@ def fit_frame(
         step = np.linalg.solve(hessian, gradient).astype(np.float64)
         if take_step(parameters, step) < CONVERGED and wide == 1.0:
             break
+    misfit = misfit_of(parameters, observation)
+    return parameters, hessian, misfit + _unlikely(parameters, prior), misfit
+
+
+@compiled()
+def _unlikely(parameters: Array, prior: Gaussian) -> float:
+    """Minus twice the log density of prior and limits, up to a constant."""
+    mean, precision = prior
     off = difference(mean, parameters)
-    cost = misfit_of(parameters, observation)
-    cost += add_limits(parameters, np.zeros_like(hessian), np.zeros_like(off))
-    return parameters, hessian, cost + (off * (precision @ off)).sum()
+    cost = add_limits(parameters, np.zeros_like(precision), np.zeros_like(off))
+    return cost + (off * (precision @ off)).sum()
 
 
 def fit_starts(
@@ -108,7 +117,7 @@ def fit_starts(
     ends, hessians = starts.copy(), np.empty((count, size, size))
     costs, trial = np.empty(count), min(_TRIAL, iterations)
     for k in range(count):
-        ends[k], hessians[k], costs[k] = fit_frame(starts[k], prior, observation, trial, 0)
+        ends[k], hessians[k], costs[k], _ = fit_frame(starts[k], prior, observation, trial, 0)
     limit = min(cheapest, costs.min()) + _HOPELESS
     order, tried = np.argsort(costs), ends.copy()
     for place in range(count):
@@ -116,7 +125,7 @@ def fit_starts(
         if costs[k] > limit or _among(tried[k], tried[order[:place]], costs[order[:place]]):
             costs[k] = np.nan
         elif trial < iterations:
-            ends[k], hessians[k], costs[k] = fit_frame(
+            ends[k], hessians[k], costs[k], _ = fit_frame(
                 ends[k], prior, observation, iterations, trial
             )
     return ends, hessians, costs
@@ -139,7 +148,7 @@ def _widened(observation: Observation, factor: float) -> Observation:
 
 
 def cost_of_turning(
-    parameters: Array, prior: Gaussian, observation: Observation, iterations: int
+    parameters: Array, misfit: float, prior: Gaussian, observation: Observation, iterations: int
 ) -> float:
     """Find how much worse a fit is that starts from a pose turned around.
 
@@ -147,6 +156,8 @@ def cost_of_turning(
     ----------
     parameters : ndarray, shape (P,)
         Fitted.
+    misfit : float
+        `misfit_of` these.
     prior, observation, iterations
         As for `fit_frame`; the mean's heading is taken to be that of either start.
 
@@ -160,6 +171,6 @@ def cost_of_turning(
     own, turned, start = mean.copy(), mean.copy(), parameters.copy()
     start[0] += np.pi
     own[0], turned[0] = parameters[0], start[0]
-    _, _, cost = fit_frame(parameters, Gaussian(own, precision), observation, 0, 0)
-    _, _, other = fit_frame(start, Gaussian(turned, precision), observation, iterations, 0)
+    cost = misfit + _unlikely(parameters, Gaussian(own, precision))
+    _, _, other, _ = fit_frame(start, Gaussian(turned, precision), observation, iterations, 0)
     return other - cost

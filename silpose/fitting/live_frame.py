@@ -53,6 +53,8 @@ class End(NamedTuple):
         Inverse of their covariance.
     precision : ndarray, shape (P, P)
         Of the prior.
+    misfit : float
+        Minus twice the log-likelihood.
     iou : float
         Overlap of body and mask.
     anew : bool
@@ -62,6 +64,7 @@ class End(NamedTuple):
     parameters: Array
     hessian: Array
     precision: Array
+    misfit: float
     iou: float
     anew: bool
 

@@ -17,7 +17,7 @@ from silpose.fitting.frame_fit import Gaussian, cost_of_turning, fit_starts
 from silpose.fitting.geometry import Geometry
 from silpose.fitting.leg_motion import LegMotion
 from silpose.fitting.leg_path import told_apart
-from silpose.fitting.likelihood import Observation
+from silpose.fitting.likelihood import Observation, misfit_of
 from silpose.fitting.matching import Matching
 from silpose.fitting.modes import Modes, legs_swapped, path_of_take, spread_around
 from silpose.fitting.overlap import aligned
@@ -149,7 +149,8 @@ class Problem:
 
         def cost(own: Array, expected: Array, frame: int) -> float:
             seen = self.observation(frame)._replace(geometry=geometry, view=view)
-            return cost_of_turning(own, Gaussian(expected, precision), seen, iterations)
+            around = Gaussian(expected, precision)
+            return cost_of_turning(own, misfit_of(own, seen), around, seen, iterations)
 
         frames = list(zip(parameters, mean, self.frames, strict=True))
         return np.array(parallel_map(lambda frame: cost(*frame), frames, prefer="threads"))

@@ -25,7 +25,7 @@ from silpose.fitting.expected_pose import ExpectedPose
 from silpose.fitting.frame_fit import Gaussian, cost_of_turning, fit_frame
 from silpose.fitting.geometry import geometry_of
 from silpose.fitting.image_scale import ImageScale
-from silpose.fitting.likelihood import Observation, misfit_of
+from silpose.fitting.likelihood import Observation
 from silpose.fitting.live_frame import End, Seen
 from silpose.fitting.parameters import ANGLES, difference
 from silpose.fitting.prior import CONTOUR_SECONDS, news
@@ -192,15 +192,15 @@ class FitterStream:
         follows = self._state in ("tracking", "recovered")
         iterations = self._iterations if follows else max(self._iterations, _AT_FIRST)
         prior, observation = Gaussian(mean, precision), self._observation(seen)
-        parameters, hessian, _ = fit_frame(angles, prior, observation, iterations, 0)
+        parameters, hessian, _, misfit = fit_frame(angles, prior, observation, iterations, 0)
         of = seen.root, self._geometry, self._fitter.view
         iou = self._working.overlap(seen.mask, parameters, *of)
-        return End(parameters, hessian, precision, iou, start is None)
+        return End(parameters, hessian, precision, misfit, iou, start is None)
 
     def _cost(self, end: End, seen: Seen) -> float:
         """Minus twice the log posterior, in which what is far away costs no more than a limit."""
         parameters, expected = end.parameters, self._expected
-        cost = misfit_of(parameters, self._observation(seen))
+        cost = end.misfit
         if seen.estimate is not None:
             off = difference(parameters[:ANGLES], seen.estimate)
             wrong = _WRONG_ESTIMATE * (1 + self._overruled)
@@ -217,7 +217,7 @@ class FitterStream:
             other = end.parameters[:ANGLES] if self._expected is None else self._expected.mean
         observation = self._observation(seen)
         prior = Gaussian(np.concatenate([other, end.parameters[ANGLES:]]), end.precision)
-        turning = cost_of_turning(end.parameters, prior, observation, _TURNED)
+        turning = cost_of_turning(end.parameters, end.misfit, prior, observation, _TURNED)
         fitted = Fitted(end.parameters, covariance, end.iou, turning)
         return evidence_of(fitted, other, self._without_heading, observation)
 

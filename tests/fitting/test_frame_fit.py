@@ -19,9 +19,9 @@ def frame(body, view, walk, estimated, prior):
 
 def test_a_fit_may_be_interrupted(frame):
     angles, of = frame
-    through, _, cost = fit_frame(angles, *of, 6, 0)
-    half, _, _ = fit_frame(angles, *of, 3, 0)
-    again, _, same = fit_frame(half, *of, 6, 3)
+    through, _, cost, _ = fit_frame(angles, *of, 6, 0)
+    half, *_ = fit_frame(angles, *of, 3, 0)
+    again, _, same, _ = fit_frame(half, *of, 6, 3)
     np.testing.assert_allclose(again, through)
     assert same == pytest.approx(cost)
 

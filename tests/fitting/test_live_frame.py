@@ -19,7 +19,7 @@ def test_what_is_not_known_of_a_frame_is_none_or_the_origin(walk, estimated):
 
 def test_only_what_is_new_makes_a_pose_more_certain():
     before, estimate, contour = (k * np.eye(54) for k in (100.0, 40.0, 60.0))
-    end = End(np.zeros(54), before + estimate + contour, before + estimate, 0.9, anew=False)
+    end = End(np.zeros(54), before + estimate + contour, before + estimate, 0.0, 0.9, anew=False)
     certain = 1 / end.covariance(before, 0.5, 0.25)[0, 0]
     assert certain == pytest.approx(100 + 0.25 * 40 + 0.5 * 60)
     assert 1 / end.covariance(None, 0.5, 0.25)[0, 0] == pytest.approx(200)
