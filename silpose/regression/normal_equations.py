@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from silpose.core.cholesky import NotPositiveDefinite, cholesky_in_place, cholesky_solve
+from silpose.core.compiled import compiled
 from silpose.core.types import Array, Indices
 from silpose.regression.moments import Moments
 
@@ -71,7 +72,9 @@ class NormalEquations:
         """Copy the Gram matrix of some of the basis functions."""
         if len(kept) == len(self.gram):
             return self.gram.copy()
-        return self.gram.take(kept, axis=0).take(kept, axis=1)  # faster than by both at once
+        some = np.empty((len(kept), len(kept)))
+        _gather(self.gram, kept, some)
+        return some
 
     def solve(self, damping: float | Array) -> Array:
         """Minimise ‖F A - Y‖² + Σ_k damping_k ‖a_k‖², a_k being the k-th row of A (p, m)."""
@@ -118,6 +121,15 @@ class NormalEquations:
         """
         coefficients = a * self.scale_y
         return coefficients, self.mean_y - self.mean_f[kept] @ coefficients
+
+
+@compiled()
+def _gather(matrix: Array, kept: Indices, some: Array) -> None:
+    """Write rows and columns of a matrix, in a third of the time that indexing takes."""
+    for i in range(len(kept)):
+        row = kept[i]
+        for j in range(len(kept)):
+            some[i, j] = matrix[row, kept[j]]
 
 
 def solve_damped(matrix: Array, target: Array, damping: float | Array) -> Array:
