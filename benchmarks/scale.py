@@ -16,6 +16,7 @@ from pathlib import Path
 from time import perf_counter, process_time
 
 import numpy as np
+from joblib.externals.loky import get_reusable_executor
 from numpy.lib.format import open_memmap
 from threadpoolctl import threadpool_limits
 from timing import FAST, report
@@ -168,6 +169,7 @@ def measure_mixture(blocks: list[FileBlock]) -> list[str]:
 
 def measure_tracker(takes: Examples, key_poses: int, frames: int) -> list[str]:
     """Fit a tracker to takes that are functions, then track live; one row of the table."""
+    get_reusable_executor().shutdown(wait=True)  # idle workers do not count
     forget_peak()
     length = len(takes[0][0])
     functions = [partial(perturbed_take, takes, k) for k in range(-(-frames // length))]
