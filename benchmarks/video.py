@@ -1,4 +1,4 @@
-r"""How well, and how fast, films become poses: python benchmarks/video.py [--fast].
+r"""How well, and how fast, films become poses: python benchmarks/video.py [--fast] [ENVIRONMENT].
 
 Films are those of ../shared/video where that is present, else one that is rendered here. From the
 command line they are, with FILMS for ../shared/video:
@@ -6,8 +6,12 @@ command line they are, with FILMS for ../shared/video:
     silpose video FILMS/walkgait/walk.mp4
     silpose video FILMS/balance/cam04.mp4 \
         silhouette.video.background=FILMS/balance/cam04_background.png
+
+In ENVIRONMENT, a Python environment of its own, MediaPipe Pose goes over the same film.
 """
 
+import subprocess
+import sys
 import tomllib
 from itertools import islice
 from pathlib import Path
@@ -30,6 +34,7 @@ from silpose.silhouette import Body, Camera, render
 from silpose.silhouette.video import VideoMasks
 
 FILMS = Path(__file__).parents[2] / "shared" / "video"
+ENVIRONMENTS = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
 RATE = 30
 BEGINNING = 10  # frames
 SMALL = (
@@ -143,18 +148,28 @@ def live_rates(model, file, **options):
     return rates
 
 
-def mediapipe_rate(file):
-    """Measure MediaPipe Pose likewise, where that is installed; else return None."""
-    try:
-        from mediapipe import solutions
-    except ImportError:
-        return None
-    pictures = [frame.picture for frame in VideoMasks(file).frames]
-    with solutions.pose.Pose(model_complexity=0) as pose:
-        started = perf_counter()
-        for picture in pictures:
-            pose.process(picture)
-        return len(pictures) / (perf_counter() - started)
+MEDIAPIPE = """
+import sys, time, cv2
+from mediapipe import solutions
+film, first, last, beginning = cv2.VideoCapture(sys.argv[1]), *map(int, sys.argv[2:])
+for _ in range(first):
+    film.grab()
+with solutions.pose.Pose(model_complexity=0) as pose:
+    for count in range(last - first + 1):
+        if count == beginning:
+            started = time.perf_counter()
+        picture = film.read()[1]
+        pose.process(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB))
+print((count + 1 - beginning) / (time.perf_counter() - started))
+"""
+
+
+def mediapipe_rate(environment, file, first=0, last=0):
+    """Measure MediaPipe Pose likewise, decoding included."""
+    last = last or int(cv2.VideoCapture(str(file)).get(cv2.CAP_PROP_FRAME_COUNT)) - 1
+    given = [str(value) for value in (file, first, last, BEGINNING)]
+    command = [Path(environment) / "bin" / "python", "-c", MEDIAPIPE, *given]
+    return float(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
 
 
 if __name__ == "__main__":
@@ -176,9 +191,9 @@ if __name__ == "__main__":
             rows.append(measured(model, "rendered", file, true, last=24 if FAST else None))
             walk, part = file, {}
         plain, fitted = live_rates(model, walk, **part)
-        other = mediapipe_rate(walk)
+        rates = [["estimated, tracked", plain], ["fitted live", fitted]]
+        rates += [["MediaPipe Pose", mediapipe_rate(own, walk, **part)] for own in ENVIRONMENTS]
     titles = ["film", "overlap", "least", "heading", "ankles apart, m", "MPJPE, mm", "PA-MPJPE"]
     report("Films, fitted as a whole", [*titles, "masks a second", "fits a second"], rows)
-    speeds = [["estimated, tracked", f"{plain:.0f}"], ["fitted live", f"{fitted:.0f}"]]
-    speeds += [] if other is None else [["MediaPipe Pose", f"{other:.0f}"]]
+    speeds = [[name, f"{rate:.0f}"] for name, rate in rates]
     report("From film to pose at 640x352; asked: 200 and 60", ["", "frames a second"], speeds)

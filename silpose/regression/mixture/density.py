@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from silpose.core.types import Array, Indices
 from silpose.regression.mixture.experts import Experts
@@ -67,7 +66,7 @@ class ConditionalDensity:
     outlier_probability: float
     floor: float
 
-    def _log_gates(self, inputs: MixtureInput) -> Array:
+    def log_gates(self, inputs: MixtureInput) -> Array:
         """Log π_k(ψ) of K components and the background, shape (n, K + 1), not normalised."""
         gates = self.experts.log_gates(inputs.psi, self.temperature)
         mean, variance = self.background
@@ -97,25 +96,42 @@ class ConditionalDensity:
         which : ndarray of int, shape (K',)
             Which components these are; the last is the background.
         """
-        gates = self._log_gates(inputs)
-        own = gates[:, :-1]
+        gates = self.log_gates(inputs)
+        own, last = gates[:, :-1], gates[:, -1:]
         which = np.arange(own.shape[1])
         if least > 0:
             which = np.flatnonzero((own > own.max() + np.log(least)).any(axis=0))
             own = own[:, which]
-        means = self.experts.means(inputs.psi, which)
-        if self.shared is not None and inputs.shared is not None:
-            noises = self.experts.noises[which]
-            evidence, means = self.shared.product(
-                inputs.shared, means, noises, self.shared_width, which
-            )
-            moved = own + evidence / self.shared_temperature
-            own = moved + (_total(own) - _total(moved))
-        weights = np.column_stack([own, gates[:, -1]])
-        weights -= _total(weights)
+        evidence, means = self.moved(inputs, self.experts.means(inputs.psi, which), which)
+        weights = self.log_weights(own, last, evidence)
         background = np.zeros((len(means), 1, means.shape[2]))
         with_background = np.append(which, len(self.experts.offsets))
         return weights, np.concatenate([means, background], axis=1), with_background
+
+    def moved(
+        self, inputs: MixtureInput, means: Array, which: Indices
+    ) -> tuple[Array | None, Array]:
+        """Move means of components towards the shared regressor's estimate.
+
+        Returns
+        -------
+        evidence : ndarray, shape (n, K'), or None
+            Log density of the estimate under each component; None without a shared regressor.
+        means : ndarray, shape (n, K', D)
+        """
+        if self.shared is None or inputs.shared is None:
+            return None, means
+        noises = self.experts.noises[which]
+        return self.shared.product(inputs.shared, means, noises, self.shared_width, which)
+
+    def log_weights(self, gates: Array, background: Array, evidence: Array | None) -> Array:
+        """Normalise gates (n, K') and the background's (n, 1), once the evidence has moved them."""
+        if evidence is not None:
+            moved = gates + evidence / self.shared_temperature
+            gates = moved + (log_total(gates) - log_total(moved))
+        weights = np.concatenate([gates, background], axis=1)
+        weights -= log_total(weights)
+        return weights
 
     def known(self, inputs: MixtureInput) -> Array:
         """Probability that some component, and not the background, is right, shape (n,).
@@ -124,8 +140,8 @@ class ConditionalDensity:
         the distance from all training examples, beyond several of their standard deviations.
         """
         prior = max(self.outlier_probability, _LEAST_OUTLIERS)
-        gates = replace(self, outlier_probability=prior)._log_gates(inputs)
-        share = np.exp(_total(gates[:, :-1]) - _total(gates))[:, 0]
+        gates = replace(self, outlier_probability=prior).log_gates(inputs)
+        share = np.exp(log_total(gates[:, :-1]) - log_total(gates))[:, 0]
         # A gate as wide as the background's never gives way to it: distance counts, too.
         mean, variance = self.background
         far = ((inputs.psi - mean) ** 2 / variance).mean(axis=1) / _FAR**2
@@ -170,7 +186,7 @@ class ConditionalDensity:
         for some in inputs.blocks():
             weights, means, _ = self.components(some)
             own = weights[:, :-1]
-            total = _total(own)
+            total = log_total(own)
             weights, means, variances = distinct_modes(
                 np.exp(own - total), means[:, :-1], self.experts.noises,
                 self.noise_width, count, agreement,
@@ -178,31 +194,6 @@ class ConditionalDensity:
             found.append((np.exp(total) * weights, means, variances))
         weights, means, variances = map(np.concatenate, zip(*found, strict=True))
         return weights, means, variances
-
-    def log_likelihoods(self, inputs: MixtureInput, x: Array, columns: NDArray[np.bool_]) -> Array:
-        """Log p(x|ψ) of some columns of standardised poses.
-
-        Parameters
-        ----------
-        inputs : MixtureInput
-        x : ndarray, shape (n, D)
-        columns : ndarray of bool, shape (D,)
-
-        Returns
-        -------
-        log_likelihoods : ndarray, shape (n,)
-        """
-        variances = self.variances()
-        precisions = np.where(columns, 1 / variances, 0)
-        constant = np.log(2 * np.pi * variances[:, columns]).sum(axis=1)
-        found, start = [], 0
-        for some in inputs.blocks():
-            weights, means, _ = self.components(some)
-            means -= x[start : start + len(means), None]
-            off = np.einsum("nkd,nkd,kd->nk", means, means, precisions)
-            found.append(_total(weights - 0.5 * (off + constant))[:, 0])
-            start += len(means)
-        return np.concatenate(found)
 
     def sample(self, inputs: MixtureInput, count: int, random: np.random.Generator) -> Array:
         """Draw from p(x|ψ), shape (n, count, D)."""
@@ -217,7 +208,7 @@ class ConditionalDensity:
         return np.concatenate(drawn)
 
 
-def _total(logs: Array) -> Array:
+def log_total(logs: Array) -> Array:
     """Log of the sum of exponentials in each row, shape (n, 1).
 
     For a single row this takes a tenth of the time of SciPy's `logsumexp`.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from copy import copy
 from dataclasses import asdict
 from typing import Literal, Self
 
@@ -12,9 +14,10 @@ from sklearn.utils.validation import check_is_fitted, validate_data
 
 from silpose.core.errors import InputError
 from silpose.core.serialisation import State, arrays_of, estimator_from, prefixed, without_prefix
-from silpose.core.types import Array
+from silpose.core.types import Array, Settings
 from silpose.regression.mixture.density import ConditionalDensity, MixtureInput
 from silpose.regression.mixture.experts import Experts
+from silpose.regression.mixture.likelihoods import log_likelihoods
 from silpose.regression.mixture.modes import MODES, bounded, calibrated
 from silpose.regression.mixture.reduction import PoseDirections
 from silpose.regression.mixture.shared_regressor import SharedRegressor
@@ -156,9 +159,24 @@ class MixturePredictions(MultiOutputMixin, RegressorMixin, BaseEstimator):
         -------
         log_likelihoods : ndarray, shape (n,)
         """
-        density, x = self._density, np.asarray(x, dtype=float)
+        return self.log_likelihoods_with([{}], z, x)[0]
+
+    def log_likelihoods_with(
+        self, settings: Sequence[Settings], z: ArrayLike | MixtureInput, x: ArrayLike
+    ) -> Array:
+        """Log p(x|z) of each example, with several settings of what `fit` does not use, (S, n).
+
+        Parameters
+        ----------
+        settings : sequence of dict
+            Parameters that are to be other than they are, by name.
+        z, x
+            As of `log_likelihoods`.
+        """
+        x = np.asarray(x, dtype=float)
         poses = (x.reshape(len(x), -1) - self.mean_) / self.scale_
-        return density.log_likelihoods(self._inputs(z), poses, self.varies_)
+        densities = [copy(self).set_params(**setting)._density for setting in settings]
+        return log_likelihoods(densities, self._inputs(z), poses, self.varies_)
 
     def score(self, X: ArrayLike, y: ArrayLike, sample_weight: ArrayLike | None = None) -> float:
         """Log-likelihood per example, of outputs at unit variance."""

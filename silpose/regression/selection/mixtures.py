@@ -150,9 +150,9 @@ def choose_mixture(
         return float(row[score])
 
     likelihood = partial(_log_likelihoods, mixture, reduced)
-    reached = stage(first, likelihood, _LIKELIHOOD, fitted_once=first)
+    reached = stage(first, likelihood, _LIKELIHOOD, fitted_once=once)
     for names in _SHARED_STAGES if shared is not None else ():
-        reached = stage(names, likelihood, _LIKELIHOOD, fitted_once=names)
+        reached = stage(names, likelihood, _LIKELIHOOD, fitted_once=once)
     stage(("calibration_exponent",), partial(_brier_scores, mixture, reduced, distance), _BRIER)
     fit([chosen])
     by_fold = [(fold, mixture(fold, chosen)) for fold in pairs]
@@ -197,11 +197,9 @@ def _log_likelihoods(
     fold: Fold,
     settings: Sequence[Settings],
 ) -> list[Outcome]:
-    """Score settings by the mean log-likelihood of held-out frames."""
-    found = (
-        mixture(fold, setting).log_likelihoods(reduced(fold, setting), fold.x_validation)
-        for setting in settings
-    )
+    """Score settings by the mean log-likelihood of held-out frames; they are fitted together."""
+    own, inputs = mixture(fold, settings[0]), reduced(fold, settings[0])
+    found = own.log_likelihoods_with(settings, inputs, fold.x_validation)
     return [Outcome.of(values.sum() / fold.frames) for values in found]
 
 

@@ -52,13 +52,3 @@ def test_closed_gates_are_left_out_but_never_the_background():
 def test_variances_are_widened_but_not_below_the_floor():
     assert density(noise_width=4.0).variances()[:, 0] == pytest.approx([0.16, 0.16, 1.0])
     assert density(floor=0.5).variances()[:, 0] == pytest.approx([0.25, 0.25, 1.0])
-
-
-def test_many_inputs_give_what_single_ones_do():
-    psi = np.linspace(-2, 5, 150)  # more than a block
-    x = np.linspace(-1, 1, 150)[:, None]
-    columns = np.array([True])
-    together = density().log_likelihoods(inputs(*psi), x, columns)
-    alone = [density().log_likelihoods(inputs(p), x[[k]], columns)[0] for k, p in enumerate(psi)]
-    assert together == pytest.approx(np.array(alone))
-    assert density().mean(inputs(*psi)).shape == (150, 1)
