@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import cycle, product
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -17,14 +17,15 @@ from silpose.core.stages import timed
 from silpose.core.types import Array, Metrics, Row
 from silpose.dataset import Renderer, SceneSampler, Take
 from silpose.evaluation import baselines
-from silpose.experiments.figures import SERIES, headline
+from silpose.experiments.figures import headline
 from silpose.experiments.setup import Components, renderer_of
 from silpose.model import DescribedDataset, describe_dataset, describe_takes
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import INK, styled
 from silpose.regression import Regressor, check_methods
 
+_LINES = [(style, marker) for marker in "os^Dv" for style in ("-", "--", "-.")]  # of methods
 PLAIN, VARIED = "one camera", "varied bodies and cameras"
 _APART = 1.03  # of curves, as a factor of the number of frames: where they coincide both are seen
 
@@ -84,7 +85,7 @@ def training_data(
                     for method, own in errors.items()
                 ]
                 if test == VARIED and count == max(frames):
-                    series[variety] = errors[methods[0]]
+                    series[variety] = errors[methods[0]][: len(varied[0])]
             advance(1)
     record = partial(
         record_study,
@@ -98,7 +99,9 @@ def training_data(
         rows=rows,
         figure=_figure(rows, methods),
         recording=Recording(
-            f"Errors by method, training data and frames of it. Over time: on {VARIED}", record
+            "Errors by method, training data and frames of it. Over time: of the first take, with "
+            f"{VARIED}",
+            record,
         ),
     )
 
@@ -152,20 +155,24 @@ def _values(rows: Sequence[Row], **where: object) -> list[float]:
 def _figure(rows: Sequence[Row], methods: Sequence[str]) -> Figure:
     """Error by number of frames: training data told apart by colour, methods by the line."""
     figure = Figure(figsize=(12, 5.6), layout="constrained")
-    styles = dict(zip(methods, ("-", "--", "-."), strict=False)) | {"oracle": ":"}
+    styles = {method: _LINES[k % len(_LINES)] for k, method in enumerate(methods)}
+    styles["oracle"] = ":", "o"
     varieties = [str(variety) for (variety,) in _distinct(rows, "training")]
-    colours = dict(zip(varieties, cycle(SERIES), strict=False))
+    colours = {
+        variety: palette.hexed(palette.one_of(k, len(varieties)))
+        for k, variety in enumerate(varieties)
+    }
     counts = np.array([count for (count,) in _distinct(rows, "frames")])
     for axes, test in zip(figure.subplots(1, 2, sharey=True), (PLAIN, VARIED), strict=True):
         for k, (variety, colour) in enumerate(colours.items()):
             beside = counts * _APART ** (k - (len(colours) - 1) / 2)
-            for method, style in styles.items():
+            for method, (style, marker) in styles.items():
                 own = [
                     _values(rows, training=variety, frames=count, method=method, test=test)
                     for count in counts
                 ]
                 means = [float(np.mean(values)) for values in own]
-                axes.plot(beside, means, style, color=colour, marker="o")
+                axes.plot(beside, means, style, color=colour, marker=marker, ms=5)
                 for place, values in zip(beside, own, strict=True):
                     axes.plot([place] * len(values), values, "_", color=colour, ms=8)
         axes.set(xscale="log", xlabel="training frames")
@@ -176,7 +183,10 @@ def _figure(rows: Sequence[Row], methods: Sequence[str]) -> Figure:
     figure.axes[0].set_ylabel(in_words("mean_angular_error_deg"))
     figure.axes[0].set_ylim(0, None)
     trained = [Line2D([], [], color=c, lw=4, label=in_words(v)) for v, c in colours.items()]
-    lines = [Line2D([], [], color=INK, ls=s, label=in_words(m)) for m, s in styles.items()]
+    lines = [
+        Line2D([], [], color=INK, ls=style, marker=marker, ms=5, label=in_words(method))
+        for method, (style, marker) in styles.items()
+    ]
     for axes, handles in zip(figure.axes, (trained, lines), strict=True):
         axes.legend(handles=handles, loc="lower left")  # no error is as low
     headline(

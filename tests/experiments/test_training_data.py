@@ -2,6 +2,7 @@ import pytest
 from small_components import with_regression
 
 from silpose.core.errors import InputError
+from silpose.experiments.training_data import _figure
 from silpose.regression import Basis, Candidates
 
 VARIETIES = {"one_body": {}, "many_bodies": {"shape": [0, 3]}}
@@ -57,6 +58,30 @@ def test_the_figure_has_a_panel_for_each_test(training_data):
         "unseen performers, one camera",
         "unseen performers, varied bodies and cameras",
     ]
+
+
+def test_the_figure_draws_all_methods_and_training_data_and_tells_them_apart():
+    methods, varieties = [f"method_{k}" for k in range(5)], [f"data_{k}" for k in range(5)]
+    rows = [
+        {"training": v, "frames": n, "method": m, "test": test, "mean_angular_error_deg": 5.0}
+        for test in ("one camera", "varied bodies and cameras")
+        for v in varieties
+        for m in (*methods, "oracle")
+        for n in (60, 120)
+    ]
+    figure = _figure(rows, methods)
+    for axes in figure.axes:
+        curves = [line for line in axes.lines if line.get_marker() != "_"]
+        looks = {(c.get_color(), c.get_linestyle(), c.get_marker()) for c in curves}
+        assert len(curves) == len(looks) == 5 * 6
+    named = [text.get_text() for text in figure.axes[1].get_legend().texts]
+    assert named == [*(m.replace("_", " ") for m in methods), "nearest true pose (oracle)"]
+
+
+def test_the_recording_shows_one_take(training_data):
+    record = training_data.result.recording.write
+    lengths = {len(errors) for errors in record.keywords["series"].values()}
+    assert lengths == {45}
 
 
 def test_motion_must_be_rendered(run, authors):
