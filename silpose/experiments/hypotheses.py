@@ -98,7 +98,7 @@ def hypotheses(components: Components, *, blank_frames: int = 20, trials: int = 
         ],
         figure=_figure(space, sequence, mixture, track, seconds),
         recording=Recording(
-            f"Shown: {take.title}, with blank frames and a cut injected",
+            f"Shown: {take.title}, with blank frames and, at frame {sequence.cut}, a cut injected",
             partial(_record, space, sequence, mixture, track, take.camera_or(components.camera)),
         ),
         model=described.model(training.ridge, tracker, fitter),
@@ -160,7 +160,8 @@ def _record(
         "hypotheses": space.distance(take.x, track.x),
     }
     truth = GroundTruth.of(take, camera, errors, space)
-    record_hypotheses(header, take, truth, (weights, means), track, space)
+    modes = weights, means
+    record_hypotheses(header, take, truth, modes, track, space, cuts=[sequence.cut])
 
 
 @styled

@@ -10,7 +10,7 @@ import rerun as rr
 from numpy.typing import NDArray
 
 from silpose.core.pose_space import PoseSpace, wraps
-from silpose.core.types import Array
+from silpose.core.types import Array, Indices
 from silpose.recording import entity_paths, palette
 
 
@@ -24,6 +24,8 @@ class FrameLogger:
     frames_per_second : float
     times : ndarray, shape (F,), optional
         Seconds of the frames, where they do not follow each other evenly.
+    cuts : sequence of int, default=()
+        Frames that do not follow the one before in the take: lines break before them.
     """
 
     def __init__(
@@ -32,9 +34,11 @@ class FrameLogger:
         frames: int,
         frames_per_second: float,
         times: Array | None = None,
+        cuts: Sequence[int] = (),
     ) -> None:
         self._recording = recording
         self._frames = frames
+        self._cuts = cuts
         self._times = np.arange(frames) / frames_per_second if times is None else times
         self._index = [
             rr.TimeColumn("frame", sequence=range(frames)),
@@ -72,15 +76,22 @@ class FrameLogger:
         self, entity: str, values: Array, name: str, colour: palette.Colour, width: float = 1.5
     ) -> None:
         """Log one number per frame, ``values (F,)``, drawn as a line."""
-        self.static(entity, rr.SeriesLines(colors=colour, names=name, widths=width))
-        self.columns(entity, rr.Scalars.columns(scalars=values))
+        self._line(
+            entity, values, self._cuts, rr.SeriesLines(colors=colour, names=name, widths=width)
+        )
 
     def headings(
         self, entity: str, degrees: Array, name: str, colour: palette.Colour, width: float = 1.5
     ) -> None:
         """Log angles ``(F,)`` like numbers, with a gap where they turn past 180 degrees."""
-        self.static(entity, rr.SeriesLines(colors=colour, names=name, widths=width))
-        frames, columns = columns_with_gaps(degrees, 360)
+        gaps = np.union1d(wraps(degrees), self._cuts).astype(int)
+        self._line(entity, degrees, gaps, rr.SeriesLines(colors=colour, names=name, widths=width))
+
+    def _line(
+        self, entity: str, values: Array, gaps: Sequence[int] | Indices, style: rr.SeriesLines
+    ) -> None:
+        self.static(entity, style)
+        frames, columns = columns_with_gaps(values, gaps)
         index = [
             rr.TimeColumn("frame", sequence=frames),
             rr.TimeColumn("time", duration=self._times[frames]),
@@ -242,15 +253,15 @@ def _named_joints(
 
 
 def columns_with_gaps(
-    values: Array, turn: float
-) -> tuple[NDArray[np.int_], rr.ComponentColumnList]:
-    """Rows of numbers (F,) that go around, with a row that has no number where they wrap.
+    values: Array, gaps: Sequence[int] | Indices
+) -> tuple[Indices, rr.ComponentColumnList]:
+    """Rows of numbers, with rows that have none before some of them: a line breaks there.
 
     Parameters
     ----------
     values : ndarray, shape (F,)
-    turn : float
-        What they begin again after.
+    gaps : sequence of int
+        Values before which there is such a row, in order.
 
     Returns
     -------
@@ -258,7 +269,6 @@ def columns_with_gaps(
         Which value's time each has.
     columns : rerun.ComponentColumnList
     """
-    gaps = wraps(values, turn)
     rows = np.insert(np.arange(len(values)), gaps, gaps)
     counts = np.insert(np.ones(len(values), int), gaps, 0)
     return rows, rr.Scalars.columns(scalars=values).partition(counts)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import rerun as rr
 
@@ -64,6 +66,7 @@ def record_hypotheses(
     modes: tuple[Array, Array],
     track: Track,
     space: PoseSpace,
+    cuts: Sequence[int] = (),
 ) -> None:
     """Write the modes of each silhouette by itself beside those of a tracker's particles.
 
@@ -77,6 +80,8 @@ def record_hypotheses(
     track : Track
         With weights and means of its own.
     space : PoseSpace
+    cuts : sequence of int, default=()
+        Frames that do not follow the one before in the take.
     """
     if track.weights is None or track.means is None:
         raise ValueError("a track without hypotheses: record it with record_tracking")
@@ -84,7 +89,7 @@ def record_hypotheses(
     window = window_of(take.mask_array()) if take.has_masks else None
     layout = hypotheses_layout(modes[0].shape[1], rate, take.has_masks, window)
     with recording_stream(header, layout) as recording:
-        logger = FrameLogger(recording, len(take), rate)
+        logger = FrameLogger(recording, len(take), rate, cuts=cuts)
         _log_known(logger, take, truth, space)
         _log_modes(logger, entity_paths.MODES, modes, truth.root, space)
         own = track.weights, track.means
@@ -113,10 +118,12 @@ def _log_modes(
     """Log a weight, a heading and a skeleton for each mode, at ``place (F, 3)``."""
     weights, means = modes
     count = weights.shape[1]
+    blank = ~weights.any(axis=1, keepdims=True)
+    probable = np.where(blank, np.nan, weights)  # a gap where nothing is known
     for k in range(count):
         entity, name, colour = f"{root}/{k + 1}", f"mode {k + 1}", palette.one_of(k, count)
         logger.poses(f"{entity}/pose", means[:, k], space)
-        logger.series(f"{entity}/weight", weights[:, k], name, colour)
+        logger.series(f"{entity}/weight", probable[:, k], name, colour)
         heading = np.where(weights[:, k] >= _LEAST, space.heading(means[:, k]), np.nan)
         logger.headings(f"{entity}/heading", heading, name, colour, 1.0)
         joints = space.joints(means[:, k]) + place[:, None]

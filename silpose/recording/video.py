@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import rerun as rr
 
-from silpose.core.pose_space import ANGLES
+from silpose.core.pose_space import ANGLES, wraps
 from silpose.core.types import Array, Mask
 from silpose.recording import entity_paths, palette
 from silpose.recording.frame_logger import columns_with_gaps
@@ -86,7 +86,7 @@ class VideoRecorder:
 
         indices, times = np.array(self._indices), np.array(self._times)
         for side, phase in gait_phase(report, self._times).items():
-            rows, columns = columns_with_gaps(phase, 100)
+            rows, columns = columns_with_gaps(phase, wraps(phase, 100))
             self._recording.send_columns(
                 entity_paths.below(entity_paths.GAIT_PHASE, side),
                 indexes=[

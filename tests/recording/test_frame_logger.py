@@ -59,6 +59,17 @@ def test_a_heading_has_a_gap_where_it_turns_past_180_degrees(written, logged):
     assert logged(path, "/a", "Scalars:scalars") == [[170], [], [-175], [-160]]
 
 
+def test_lines_break_at_a_cut(header, logged, tmp_path):
+    path = tmp_path / "run.rrd"
+    with recording_stream(header(path), study_layout(None, 2.0)) as recording:
+        logger = FrameLogger(recording, 3, 2.0, cuts=[2])
+        logger.series("/a", np.array([1.0, 2.0, 3.0]), "a", (1, 2, 3))
+        logger.headings("/b", np.array([170.0, -175.0, -160.0]), "b", (1, 2, 3))
+    assert logged(path, "/a", "Scalars:scalars") == [[1], [2], [], [3]]
+    assert logged(path, "/a", "frame") == [0, 1, 2, 2]
+    assert logged(path, "/b", "Scalars:scalars") == [[170], [], [-175], [], [-160]]
+
+
 def test_joints_have_names_and_connections(written, logged):
     joints, names = np.zeros((3, 2, 3)), ("hip", "left_knee")
     path = written(lambda logger: logger.skeleton("/a", joints, [(0, 1)], names, (90, 90, 90), 0.1))
