@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from rich.console import Console, Group
 from rich.markup import escape
 from rich.table import Table
@@ -11,7 +9,7 @@ from rich.table import Table
 from silpose.app.paths import pasted, rerun_command, shorten_path
 from silpose.app.terminal import Terminal
 from silpose.core.stage_lines import animated
-from silpose.evaluation import best_first, explanations, headlines
+from silpose.evaluation import best_first, explanations, headlines, in_parts
 from silpose.evaluation.headlines import HEADLINES, Results
 from silpose.experiments import CATALOGUE
 from silpose.experiments.catalogue import Entry
@@ -67,7 +65,7 @@ def _tables(first: str, ordered: Results, best: str | None, width: int) -> list[
     least = [max(map(len, (*title.split(), *values))) for title, *values in columns]
     room = width - max(map(len, (first, *ordered))) - (_BETWEEN + 1)
     tables: list[Table] = []
-    for part in _parts(least, room):
+    for part in in_parts([own + _BETWEEN for own in least], room):
         table = Table(title_justify="left", title_style="")
         table.add_column(first, no_wrap=True)
         spare = room - sum(least[k] + _BETWEEN for k in part)
@@ -94,14 +92,3 @@ def _with_columns_in_common(results: Results) -> list[list[str]]:
             columns, members = columns | group[0], [*group[1], *members]
         groups.append((columns, members))
     return [[method for method in results if method in members] for _, members in groups]
-
-
-def _parts(widths: Sequence[int], room: int) -> list[list[int]]:
-    """Divide columns of least widths among as few tables as have room for them."""
-    parts: list[list[int]] = [[]]
-    for k in range(len(widths)):
-        wide = sum(widths[j] + _BETWEEN for j in (*parts[-1], k))
-        if parts[-1] and wide > room:
-            parts.append([])
-        parts[-1].append(k)
-    return parts

@@ -17,7 +17,7 @@ from silpose.evaluation.heading import (
     heading_errors,
     key_angles,
 )
-from silpose.evaluation.headlines import HEADLINES, best_first, headlines
+from silpose.evaluation.headlines import HEADLINES, best_first, headlines, in_parts
 from silpose.evaluation.metrics import METRICS, joint_distances, measure
 from silpose.evaluation.pose_differences import KINDS, depth_mirrored, differences, kinds_of
 from silpose.evaluation.right_poses import HEADING_DEG, JOINTS_MM, right_poses
@@ -85,6 +85,7 @@ __all__ = [
     "heading_confidence",
     "heading_errors",
     "headlines",
+    "in_parts",
     "joint_distances",
     "joints_covered",
     "key_angles",

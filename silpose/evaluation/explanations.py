@@ -14,6 +14,7 @@ _METHODS: Mapping[str, str] = {
     "tracker_lag": "the tracker, told a little of what comes next",
 }
 _COLUMNS: Mapping[str, str] = {
+    "varied_scenes_error_deg": "angles, with bodies and cameras that vary more than in training",
     "heading_over_20deg": "frames whose heading is wrong by more than 20°",
     "silhouette_iou": "of the estimated body's silhouette and the mask, 1 if they are equal",
     "coverage_angles": f"true angles within the {LEVEL:.0%} intervals of the estimate",

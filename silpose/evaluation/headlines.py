@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 Results = Mapping[str, Mapping[str, float]]
 """Values by method, then by name."""
 
 HEADLINES: Mapping[str, tuple[str, str]] = {
     "mean_angular_error_deg": ("angles", "{:.2f}°"),
-    "varied_scenes_error_deg": ("varied scenes", "{:.2f}°"),
+    "varied_scenes_error_deg": ("varied", "{:.2f}°"),
     "mean_joint_distance": ("joints, own units", "{:.2f}"),
+    "mpjpe_mm": ("joints", "{:.0f} mm"),
     "heading_median_deg": ("heading", "{:.1f}°"),
     "heading_over_20deg": ("off by 20°", "{:.0%}"),
-    "mpjpe_mm": ("joints", "{:.0f} mm"),
     "silhouette_iou": ("overlap", "{:.2f}"),
     "overlap": ("overlap", "{:.0%}"),
     "poses_apart_deg": ("poses apart", "{:.1f}°"),
@@ -104,3 +104,27 @@ def headlines(results: Results) -> tuple[list[str], list[list[str]]]:
         for method, values in results.items()
     ]
     return ["method", *(title for title, _ in shown.values())], rows
+
+
+def in_parts(widths: Sequence[int], room: int) -> list[list[int]]:
+    """Divide columns among tables that have room for them.
+
+    Parameters
+    ----------
+    widths : sequence of int
+        Characters of each column, with the gap before it.
+    room : int
+        Characters of a table, without those of a first column that all tables have.
+
+    Returns
+    -------
+    parts : list of list of int
+        Which columns each table has; at least one.
+    """
+    parts: list[list[int]] = [[]]
+    for k in range(len(widths)):
+        wide = sum(widths[j] for j in (*parts[-1], k))
+        if parts[-1] and wide > room:
+            parts.append([])
+        parts[-1].append(k)
+    return parts

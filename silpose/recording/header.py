@@ -22,6 +22,11 @@ from silpose.recording.sinks import Sinks
 if TYPE_CHECKING:
     from silpose.evaluation.headlines import Results
 
+ROOM = 34
+"""Characters of a line in the narrowest pane that shows results, in a window of 1024 pixels."""
+
+_GAP = 2  # characters between columns
+
 
 @dataclass(frozen=True)
 class Header:
@@ -69,9 +74,12 @@ class Header:
         """Identifier of the recording: two runs of one name with other settings differ in it."""
         return f"{self.name}/{zlib.crc32(self.settings.encode()):08x}"
 
-    def texts(self) -> dict[str, str]:
-        """Words, settings and headline results as markdown, by entity."""
-        results = [results_table(self.results, self.rows)] if self.results else []
+    def texts(self, room: int = ROOM) -> dict[str, str]:
+        """Words, settings and headline results as markdown, by entity.
+
+        Tables of results are as wide as there is room, in characters.
+        """
+        results = results_tables(self.results, self.rows, room) if self.results else []
         texts = {
             entity_paths.TAKE: self.words,
             entity_paths.METRICS: "\n\n".join([self.words, *results]),
@@ -109,18 +117,29 @@ class Header:
         return f"Settings that differ from the defaults:\n\n```\n{typed_}\n```\n"
 
 
-def results_table(results: Results, of: str = "method") -> str:
-    """Headlines as a markdown table, a row of each method or the like, the best first and bold."""
-    from silpose.evaluation import best_first, headlines
+def results_tables(results: Results, of: str = "method", room: int = ROOM) -> list[str]:
+    """Headlines as markdown tables, a row of each method or the like, the best first and bold.
+
+    The viewer breaks no line of a table: columns for which there is no room, in characters, stand
+    in further tables.
+    """
+    from silpose.evaluation import best_first, headlines, in_parts
 
     ordered, best = best_first(results)
     (_, *titles), rows = headlines(ordered)
-    titles = [of, *titles]
-    if best is not None:
-        rows[0] = [f"**{cell}**" if cell else "" for cell in rows[0]]
-    ruler = ":--|" + "--:|" * (len(titles) - 1)
-    table = [" | ".join(titles), ruler.strip("|"), *(" | ".join(row) for row in rows)]
-    return "\n".join(f"| {line} |" for line in table)
+    columns = zip(titles, *(values for _, *values in rows), strict=True)
+    widths = [max(map(len, column)) + _GAP for column in columns]
+    tables: list[str] = []
+    for part in in_parts(widths, room - max(map(len, (of, *ordered)))):
+        lines = [[of, *(titles[k] for k in part)], [":--", *["--:"] * len(part)]]
+        for method, *values in rows:
+            own = [values[k] for k in part]
+            if tables and not any(own):
+                continue  # the first table names all of them
+            row = [method, *own]
+            lines.append([f"**{cell}**" if cell and method == best else cell for cell in row])
+        tables.append("\n".join(f"| {' | '.join(line)} |" for line in lines))
+    return tables
 
 
 @cache

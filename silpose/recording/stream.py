@@ -19,8 +19,8 @@ import rerun.blueprint as rrb
 from silpose.core.atomic_files import writing
 from silpose.core.errors import InputError
 from silpose.recording import entity_paths
-from silpose.recording.header import Header
-from silpose.recording.layout import hide
+from silpose.recording.header import ROOM, Header
+from silpose.recording.layout import hide, room_for_results
 from silpose.recording.read import reader
 from silpose.recording.viewer.live import connect
 from silpose.recording.viewer.process import serving
@@ -56,7 +56,7 @@ def recording_stream(
         begin = partial(recording.set_sinks, rr.FileSink(path), *live, default_blueprint=layout)
         if not _ends(begin, path):
             raise _not_whole(header.file, path)
-        send_header(recording, header)
+        send_header(recording, header, room_for_results(layout))
         try:
             yield recording
             delivered = not live or _delivered(recording)
@@ -82,7 +82,7 @@ def live_stream(header: Header, layout: rrb.Blueprint) -> Iterator[FanOut]:
         viewers = connect(shown, header, layout)
         if viewers:
             shown.set_sinks(*viewers, default_blueprint=layout)
-            send_header(shown, header)
+            send_header(shown, header, room_for_results(layout))
             for page in serving():  # which is of use now; at the end it is said again
                 print(f"Watch it:  {page}   (Ctrl-C ends the run)", file=sys.stderr, flush=True)
         try:
@@ -136,8 +136,8 @@ def log_figure(recording: rr.RecordingStream, header: Header) -> None:
         recording.log(entity_paths.FIGURE, rr.EncodedImage(path=header.figure), static=True)
 
 
-def send_header(recording: rr.RecordingStream | FanOut, header: Header) -> None:
-    """Send name, properties and texts; what was sent before is replaced."""
+def send_header(recording: rr.RecordingStream | FanOut, header: Header, room: int = ROOM) -> None:
+    """Send name, properties and texts, in lines of some characters; what was sent is replaced."""
     recording.send_recording_name(header.name)
     for group, values in header.properties().items():
         typed: dict[str, Any] = {
@@ -146,7 +146,7 @@ def send_header(recording: rr.RecordingStream | FanOut, header: Header) -> None:
         }
         recording.send_property(group, rr.AnyValues(**typed))
     recording.log("/", rr.ViewCoordinates.RIGHT_HAND_Y_UP, static=True)
-    for entity, markdown in header.texts().items():
+    for entity, markdown in header.texts(room).items():
         text = rr.TextDocument(markdown, media_type="text/markdown")
         recording.log(entity, text, static=True)
 

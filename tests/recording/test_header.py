@@ -4,7 +4,7 @@ from pathlib import Path
 
 from silpose.recording import Header
 from silpose.recording import entity_paths as entities
-from silpose.recording.header import results_table
+from silpose.recording.header import results_tables
 
 SETTINGS = """\
 motion:
@@ -62,8 +62,22 @@ def test_only_settings_that_differ_from_the_defaults_are_shown():
 
 
 def test_the_best_row_is_the_first_and_bold():
-    table = results_table(
+    (table,) = results_tables(
         {"knn": {"error": 2.0}, "ridge": {"error": 1.0}, "oracle": {"error": 0.5}}
     )
     methods = [line.split("|")[1].strip() for line in table.splitlines()[2:]]
     assert methods == ["**ridge**", "knn", "oracle"]
+
+
+def test_columns_without_room_stand_in_tables_below():
+    results = {
+        "fitted_from_hypotheses": {"mean_angular_error_deg": 2.0, "heading_over_20deg": 0.1},
+        "ridge": {"mean_angular_error_deg": 3.0, "mpjpe_mm": 48.0},
+    }
+    wide, narrow = results_tables(results, room=60), results_tables(results, room=40)
+    assert [len(wide), len(narrow)] == [1, 2]
+    assert narrow[0].splitlines()[0] == "| method | angles | joints |"
+    assert narrow[1].splitlines()[2:] == ["| **fitted_from_hypotheses** | **10%** |"]
+    for table in narrow:
+        rows = [line.strip("|").replace("*", "").split("|") for line in table.splitlines()]
+        assert sum(max(len(row[k].strip()) for row in rows) for k in range(len(rows[0]))) <= 40

@@ -10,6 +10,7 @@ from silpose.recording.layout.estimates import (
     single_image_layout,
 )
 from silpose.recording.layout.fits import fitting_layout
+from silpose.recording.layout.room import room_for_results
 from silpose.recording.layout.studies import (
     bridges_layout,
     context_space_layout,
@@ -39,6 +40,7 @@ __all__ = [
     "modes_layout",
     "motion_layout",
     "prediction_layout",
+    "room_for_results",
     "single_image_layout",
     "study_layout",
     "tracking_layout",

@@ -65,7 +65,7 @@ def single_image_layout(
         row_shares=[3.4, 1, 0.7, 1],
     )
     columns = [estimate_input_view(window), estimate, texts_view(examples)]
-    return blueprint(columns, [1.3, 1.7, 1], frames_per_second)
+    return blueprint(columns, [1.25, 1.7, 1.04], frames_per_second)
 
 
 def prediction_layout(frames_per_second: float, window: Window, judged: bool) -> rrb.Blueprint:

@@ -47,7 +47,7 @@ def study_layout(
         Lowest and highest error that there may be.
     """
     if title is None:
-        return blueprint([figure_view(), texts_view()], [2.4, 1], frames_per_second)
+        return blueprint([figure_view(), texts_view()], [1.7, 1], frames_per_second)
     errors = series_view(title, [f"{entity_paths.ERROR}/**"], span)
     seen = [mask_view("silhouette", window)] if masks else []
     if not wide:
@@ -55,7 +55,7 @@ def study_layout(
         return blueprint([figure_view(), beside], [1.4, 1], frames_per_second)
     below = rrb.Horizontal(*seen, errors, column_shares=[*(1 for _ in seen), 2.4])
     shown = rrb.Vertical(figure_view(), below, row_shares=[1.6, 1])
-    return blueprint([shown, texts_view()], [2.4, 1], frames_per_second)
+    return blueprint([shown, texts_view()], [1.7, 1], frames_per_second)
 
 
 def motion_layout(
@@ -83,7 +83,7 @@ def bridges_layout() -> rrb.Blueprint:
         ),
         row_shares=[1.6, 1, 0.8],
     )
-    return blueprint([shown, texts_view()], [2.4, 1], 2.0)
+    return blueprint([shown, texts_view()], [1.7, 1], 2.0)
 
 
 def features_layout(parts: Sequence[str], frames_per_second: float) -> rrb.Blueprint:

@@ -72,7 +72,7 @@ def tracking_layout(
     )
     belief = bars_view(entity_paths.BELIEF, "belief, by heading")
     seen = rrb.Vertical(*([mask_view(window=window)] if masks else []), belief)
-    return blueprint([seen, estimates, texts_view()], [1, 2.6, 1.1], frames_per_second)
+    return blueprint([seen, estimates, texts_view()], [0.9, 2.45, 1.15], frames_per_second)
 
 
 def modes_layout(
@@ -136,52 +136,36 @@ def hypotheses_layout(
     """
     alone = _numbered(entity_paths.MODES, count)
     tracked = _numbered(entity_paths.HYPOTHESES, count)
-    names = [palette.NAMES.get(palette.one_of(k, count), "") for k in range(count)]
-    colours = ", ".join(f"{k} {name}" for k, name in enumerate(names, 1))
-    bodies = rrb.Horizontal(
-        *(
-            bodies_view(
-                title,
-                [entity_paths.TRUE_SKELETON, *(f"{mode}/skeleton" for mode in modes)],
-                FROM_THE_SIDE,
-            )
-            for title, modes in (
-                ("this silhouette alone; true pose (blue)", alone),
-                ("all silhouettes so far; true pose (blue)", tracked),
-            )
+    colours = coloured({str(k + 1): palette.one_of(k, count) for k in range(count)})
+    bodies = [
+        bodies_view(
+            f"{title}; {coloured({'true': palette.TRUE})}",
+            [entity_paths.TRUE_SKELETON, *(f"{mode}/skeleton" for mode in modes)],
+            FROM_THE_SIDE,
         )
-    )
-    weights = rrb.Horizontal(
-        series_view(
-            f"probability: {colours}",
-            [f"{mode}/weight" for mode in alone],
-            UNIT_SPAN,
-        ),
-        series_view(
-            f"probability: {colours}",
-            [f"{mode}/weight" for mode in tracked],
-            UNIT_SPAN,
-        ),
-    )
+        for title, modes in (("this mask alone", alone), ("all masks so far", tracked))
+    ]
+    seen = [mask_view(window=window)] if masks else []
+    weights = [
+        series_view(f"probability: {colours}", [f"{mode}/weight" for mode in modes], UNIT_SPAN)
+        for modes in (alone, tracked)
+    ]
     headings = [
         entity_paths.TRUE_HEADING,
         f"{alone[0]}/heading",
         f"{entity_paths.below(entity_paths.TRACKS, 'hypotheses')}/heading",
     ]
     estimates = rrb.Vertical(
-        bodies,
-        weights,
+        rrb.Horizontal(*seen, *bodies, column_shares=[*(0.7 for _ in seen), 1, 1]),
+        rrb.Horizontal(*weights),
         state_view([entity_paths.SEEN, entity_paths.STATE]),
         headings_view(
             headings,
             {"true": palette.TRUE, "mode 1": palette.MODES[0], "tracker": palette.ESTIMATED},
         ),
-        row_shares=[2.8, 0.9, 1.1, 1.1],
+        row_shares=[2.8, 0.9, 1.4, 1.1],
     )
-    if not masks:
-        return blueprint([estimates, texts_view()], [2.6, 1], frames_per_second)
-    mask = mask_view(window=window)
-    return blueprint([mask, estimates, texts_view()], [0.7, 2.1, 1.15], frames_per_second)
+    return blueprint([estimates, texts_view()], [2.1, 1], frames_per_second)
 
 
 def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.Blueprint:
@@ -209,7 +193,7 @@ def extinction_layout(trackers: Sequence[str], frames_per_second: float) -> rrb.
         ),
         row_shares=[2.2, 1, 1],
     )
-    return blueprint([shown, texts_view()], [2.4, 1], frames_per_second)
+    return blueprint([shown, texts_view()], [1.7, 1], frames_per_second)
 
 
 def _numbered(root: str, count: int) -> list[str]:

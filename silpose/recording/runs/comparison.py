@@ -10,7 +10,7 @@ from rerun.chunk import Chunk
 
 from silpose.core.errors import InputError
 from silpose.recording import entity_paths, palette
-from silpose.recording.header import Header, results_table
+from silpose.recording.header import Header, results_tables
 from silpose.recording.layout import comparison_layout
 from silpose.recording.named_settings import typed
 from silpose.recording.read import reader
@@ -80,7 +80,8 @@ def _in_words(names: Iterable[str], runs: Sequence[FinishedRun]) -> str:
     ruled = [titles, [":--"] * len(titles), *rows]
     table = "\n".join(f"| {' | '.join(row)} |" for row in ruled)
     results = [
-        f"**{name}**\n\n{results_table(run.metrics)}" for name, run in zip(names, runs, strict=True)
+        "\n\n".join([f"**{name}**", *results_tables(run.metrics)])
+        for name, run in zip(names, runs, strict=True)
     ]
     return "\n\n".join([table if settings[0] else "no setting differs", *results])
 
