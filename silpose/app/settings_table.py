@@ -15,10 +15,12 @@ from silpose.app.config import choices, load, plain
 from silpose.app.registry import ALTERNATIVES, COMPONENTS, Component, experiment
 from silpose.app.signatures import REQUIRED
 from silpose.app.suggestions import nearest
-from silpose.app.terminal import Terminal
+from silpose.app.terminal import Terminal, wrapped
 from silpose.core.errors import InputError
 
 _EXPERIMENT = "experiment"
+_NARROW, _NARROWEST = 100, 60  # characters of a line below which columns split words
+_INDENT = "    "
 
 Row = tuple[str, str, str, str]
 """Name of a setting, its value, type and description."""
@@ -37,11 +39,14 @@ def print_settings(wanted: Sequence[str] = (), overrides: Sequence[str] = ()) ->
     given = plain(load(overrides))
     console = Terminal()
     if not wanted:
-        console.print(_group_table(overrides))
-    chosen = False
+        narrow = console.width < _NARROWEST
+        shown = _group_list(overrides, console.width) if narrow else _group_table(overrides)
+        console.print(shown, highlight=not narrow)
+    chosen, narrow = False, console.width < _NARROW
     for group in wanted or [""]:
         for title, rows in tables(group.replace("/", "."), given).items():
-            console.print(_table(title, rows))
+            shown = _list(title, rows, console.width) if narrow else _table(title, rows)
+            console.print(shown, highlight=not narrow)
             chosen |= title in COMPONENTS and COMPONENTS[title].candidates
     if chosen:
         console.print("[dim]A list in place of a single value: validation chooses from it.[/dim]")
@@ -92,9 +97,21 @@ def _is_part(name: str, group: str) -> bool:
     return name.startswith(f"{group}.")
 
 
+def _title(group: str) -> str:
+    return "" if group in ("", _EXPERIMENT) else f"[bold]{group}[/bold]"
+
+
+def _list(group: str, rows: Sequence[Row], width: int) -> str:
+    """List settings one below another, each with its description under it."""
+    lines = [_title(group)] if _title(group) else []
+    for name, value, kind, description in rows:
+        lines.append(escape(wrapped(f"{name} = {value}  ({kind})", width, _INDENT)))
+        lines.append(escape(wrapped(_INDENT + description, width, _INDENT)))
+    return "\n".join([*lines, ""])
+
+
 def _table(group: str, rows: Sequence[Row]) -> Table:
-    without_name = group in ("", _EXPERIMENT)
-    title = "" if without_name else f"[bold]{group}[/bold]"
+    title = _title(group)
     table = Table(title=title, title_justify="left", title_style="", box=None, pad_edge=False)
     table.add_column("setting", no_wrap=True)
     table.add_column("value", overflow="fold", max_width=28)
@@ -117,13 +134,27 @@ def _shown(value: Any) -> str:
     return text.removesuffix("\n").removesuffix("\n...")
 
 
+def _group_list(overrides: Sequence[str], width: int) -> str:
+    """List groups one below another, each with its other choices under it."""
+    lines = []
+    for group, choice, others in _choices(overrides):
+        lines.append(wrapped(f"{group} = {choice}", width, _INDENT))
+        lines += [wrapped(f"{_INDENT}others: {others}", width, _INDENT)] if others else []
+    return escape("\n".join([*lines, ""]))
+
+
 def _group_table(overrides: Sequence[str]) -> Table:
-    chosen = choices(overrides)
     table = Table(box=None, pad_edge=False)
     for title in ("group", "choice", "others"):
         table.add_column(title, overflow="fold")
-    for group, names in groups().items():
-        others = [name for name in names if name != chosen[group]]
-        table.add_row(group, chosen[group], ", ".join(others))
+    for row in _choices(overrides):
+        table.add_row(*row)
     table.add_row()
     return table
+
+
+def _choices(overrides: Sequence[str]) -> Iterator[Sequence[str]]:
+    """Each group, what is chosen of it, and what else there is."""
+    chosen = choices(overrides)
+    for group, names in groups().items():
+        yield group, chosen[group], ", ".join(name for name in names if name != chosen[group])

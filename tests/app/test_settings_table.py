@@ -2,6 +2,7 @@ import pytest
 
 from silpose.app.config import load, plain
 from silpose.app.settings_table import print_settings, tables
+from silpose.app.terminal import wrapped
 from silpose.core.errors import InputError
 
 
@@ -46,6 +47,30 @@ def test_names_are_whole_in_a_narrow_terminal(capsys):
 def test_a_misspelt_group_is_named():
     with pytest.raises(InputError, match=r"no group 'regresion'; did you mean 'regression'\?"):
         print_settings(["regresion"])
+
+
+@pytest.mark.parametrize("columns", [60, 80, 100])
+@pytest.mark.parametrize("group", ["experiment", "silhouette", "regression", "tracking", "fitting"])
+def test_words_are_whole_in_narrow_terminals(capsys, monkeypatch, group, columns):
+    monkeypatch.setenv("COLUMNS", str(columns))
+    print_settings([group])
+    shown = {word.strip("()") for word in capsys.readouterr().out.split()}
+    rows = [row for rows in tables(group, plain(load())).values() for row in rows]
+    described = {word.strip("()") for row in rows for cell in row for word in cell.split()}
+    assert described <= shown
+
+
+def test_long_names_break_after_dots_and_underscores_in_the_narrowest_terminals(
+    capsys, monkeypatch
+):
+    monkeypatch.setenv("COLUMNS", "24")
+    print_settings(["regression.mixture"])
+    words = capsys.readouterr().out.split()
+    assert "calibration_" in words or "calibration_exponent" in words
+    assert wrapped("see regression.mixture.calibration_exponent", 24).splitlines() == [
+        "see regression.mixture.",
+        "calibration_exponent",
+    ]
 
 
 @pytest.mark.parametrize("columns", [60, 40])
