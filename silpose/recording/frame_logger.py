@@ -40,10 +40,6 @@ class FrameLogger:
         self._frames = frames
         self._cuts = cuts
         self._times = np.arange(frames) / frames_per_second if times is None else times
-        self._index = [
-            rr.TimeColumn("frame", sequence=range(frames)),
-            rr.TimeColumn("time", duration=self._times),
-        ]
 
     def static(self, entity: str, what: rr.AsComponents) -> None:
         """Log what holds for all frames."""
@@ -56,6 +52,13 @@ class FrameLogger:
                 self._set_time(frame)
                 self._recording.log(entity, what)
         self._recording.reset_time()
+
+    def _index(self, frames: Indices) -> list[rr.TimeColumn]:
+        """Give the times of rows that belong to some frames."""
+        return [
+            rr.TimeColumn("frame", sequence=frames),
+            rr.TimeColumn("time", duration=self._times[frames]),
+        ]
 
     def _set_time(self, frame: int) -> None:
         self._recording.set_time("frame", sequence=frame)
@@ -70,7 +73,7 @@ class FrameLogger:
         """Log whole columns: one row per frame, or ``lengths (F,)`` rows for each."""
         if lengths is not None:
             columns = columns.partition(lengths)
-        self._recording.send_columns(entity, indexes=self._index, columns=columns)
+        self._recording.send_columns(entity, self._index(np.arange(self._frames)), columns)
 
     def series(
         self, entity: str, values: Array, name: str, colour: palette.Colour, width: float = 1.5
@@ -92,11 +95,7 @@ class FrameLogger:
     ) -> None:
         self.static(entity, style)
         frames, columns = columns_with_gaps(values, gaps)
-        index = [
-            rr.TimeColumn("frame", sequence=frames),
-            rr.TimeColumn("time", duration=self._times[frames]),
-        ]
-        self._recording.send_columns(entity, index, columns)
+        self._recording.send_columns(entity, self._index(frames), columns)
 
     def errors(self, by_method: Mapping[str, Array]) -> None:
         """Log each method's distance of true and estimated poses, ``(F,)``."""

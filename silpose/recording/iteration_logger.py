@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import rerun as rr
 
+from silpose.core.types import Indices
 from silpose.recording.frame_logger import FrameLogger
 
 
@@ -18,7 +19,9 @@ class IterationLogger(FrameLogger):
 
     def __init__(self, recording: rr.RecordingStream, iterations: int) -> None:
         super().__init__(recording, iterations, 1.0)
-        self._index = [rr.TimeColumn("iteration", sequence=range(iterations))]
+
+    def _index(self, frames: Indices) -> list[rr.TimeColumn]:
+        return [rr.TimeColumn("iteration", sequence=frames)]
 
     def _set_time(self, frame: int) -> None:
         self._recording.set_time("iteration", sequence=frame)
