@@ -14,7 +14,8 @@ from silpose.core.stages import stage
 from silpose.core.types import Array, Indices
 from silpose.experiments.figures import NEUTRAL, SERIES, headline
 from silpose.experiments.setup import Components, prepare
-from silpose.recording import Recording, Result, record_bridges
+from silpose.recording import Recording, Result, palette, record_bridges
+from silpose.recording.captions import coloured
 from silpose.recording.figure_style import INK, styled
 from silpose.regression import follow_bridges
 
@@ -78,7 +79,9 @@ def _figure(nu: float, objective: Array, kept: Indices, norms: Array) -> Figure:
     grid["lines"].plot(iterations, logs[:, last], color=SERIES[0], lw=1.2)
     grid["lines"].set(xlabel="iteration", ylabel="log₁₀ ‖a‖", xlim=(1, len(kept)))
     grid["lines"].xaxis.set_major_locator(MaxNLocator(integer=True))
-    grid["lines"].set_title("columns that stay (coloured) and go (grey)")
+    grid["lines"].set_title(
+        coloured({"columns that stay": palette.MODES[0], "that go": palette.NEUTRAL})
+    )
     headline(
         figure, f"A relevance vector machine becomes sparse: {kept[-1]} of {norms.shape[1]} stay",
         f"ν = {nu:g}. Each iteration replaces the penalty by parabolas that touch it, and drops "

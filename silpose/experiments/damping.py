@@ -15,7 +15,7 @@ from silpose.experiments.figures import NEUTRAL, headline, legend_above
 from silpose.experiments.setup import Components, prepare_tracking, tidy
 from silpose.model import TrackerTraining
 from silpose.recording import Recording, Result, palette, record_study
-from silpose.recording.captions import in_words
+from silpose.recording.captions import coloured, in_words
 from silpose.recording.figure_style import styled
 from silpose.tracking import Estimate, SinglePoseTracker
 
@@ -53,7 +53,7 @@ def damping(
         record_study,
         series={name: space.distance(take.x, of_takes[0]) for name, of_takes in tracks.items()},
         title=in_words(space.metrics[0]),
-        legend="C = sI (orange; the larger s, the darker), full C (grey)",
+        legend=f"{coloured({'C = sI': COLOUR, FULL: palette.NEUTRAL})}; the larger s, the darker",
         frames_per_second=take.frames_per_second,
         colours={
             name: palette.NEUTRAL if name == FULL else palette.graded(COLOUR, k, len(values))

@@ -27,12 +27,13 @@ from silpose.experiments.descriptor_robustness_figure import (
 )
 from silpose.experiments.setup import Components, renderer_of
 from silpose.model import DescribedDataset, Descriptor, compare, describe_takes
-from silpose.recording import Header, Recording, Result, record_study
-from silpose.recording.captions import in_words
+from silpose.recording import Header, Recording, Result, palette, record_study
+from silpose.recording.captions import coloured, in_words
 from silpose.regression import RegressionCandidates, Regressor
 from silpose.silhouette import SEGMENTATION_FAULTS, Degradation, contour_damage, degrade
 
 SHAPE_CONTEXTS, METHOD = "shape_contexts", "ridge"
+_DRAWN = dict(zip(("shape contexts", "aligned mask", "Hu moments"), palette.MODES[:3], strict=True))
 
 
 @dataclass(frozen=True)
@@ -206,7 +207,7 @@ def _record(
             if not name.endswith(TRAINED_ON_DEGRADED)
         },
         title=unit,
-        legend="shape contexts (green), aligned mask (purple), Hu moments (orange)",
+        legend=coloured(_DRAWN),
         frames_per_second=take.frames_per_second,
         masks=masks,
     )

@@ -12,7 +12,7 @@ from silpose.core.types import Mask
 from silpose.experiments.figures import NEUTRAL, headline, legend_above, without_ink
 from silpose.experiments.fitting_figure import draw_overlap, person_window
 from silpose.recording import palette
-from silpose.recording.captions import in_words
+from silpose.recording.captions import coloured, in_words
 from silpose.recording.figure_style import styled
 
 _WIDTH = 0.26  # of a bar, between kinds
@@ -51,7 +51,7 @@ def fitting_robustness_figure(
         figure,
         "Does a body fitted to the contour survive what real masks suffer from?",
         f"Bars: share of its gain over the mean pose that a method loses, strength {strength:g}. "
-        "Below: both mask and fitted body (grey), mask only (blue), body only (vermilion)",
+        f"Below: mask and fitted body, {coloured(palette.OVERLAP)}",
     )
     return figure
 

@@ -17,7 +17,7 @@ from silpose.core.types import Array, Metrics
 from silpose.evaluation import HEADING_LIMIT_DEG, heading_errors
 from silpose.experiments.figures import ESTIMATED, NEUTRAL, headline
 from silpose.experiments.setup import Components, prepare_tracking, tidy
-from silpose.recording import Recording, Result, record_study
+from silpose.recording import Recording, Result, palette, record_study
 from silpose.recording.captions import in_words
 from silpose.recording.figure_style import INK, styled
 from silpose.tracking import BeliefTracker, belief_tracks, single_pose_tracks
@@ -136,7 +136,8 @@ def _figure(shares: Mapping[str, Array], metrics: Metrics) -> Figure:
     figure.supylabel(f"share of frames within {HEADING_LIMIT_DEG:g}° of the heading", fontsize=9.5)
     headline(
         figure, "From which frames does a tracker lock on by itself?",
-        f"Vermilion: the heading is right in {LOCKED_SHARE:.0%} of the frames, or more, "
+        f"{palette.NAMES[palette.ESTIMATED].capitalize()}: the heading is right in "
+        f"{LOCKED_SHARE:.0%} of the frames, or more, "
         f"from {SETTLING:g} s after the start",
     )  # fmt: skip
     return figure

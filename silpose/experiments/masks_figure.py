@@ -19,7 +19,7 @@ from silpose.silhouette.person import MaskFacts
 _COLUMNS = 8
 _LONGEST_NAME = 16
 _BACKGROUND = 0.95
-_FILLED = palette.hexed(palette.MASK_STATES["filled"])
+_FILLED = palette.MASK_STATES["filled"]
 
 
 @styled
@@ -62,16 +62,16 @@ def _legend(sequence: MaskSequence, drawn: Sequence[tuple[Mask, Mask]]) -> str:
     """Name the colours that are drawn, and no others."""
     words = ["Black: the person."]
     if any(((mask > 0) & (person == 0)).any() for mask, person in drawn):
-        words.append("Grey: left out.")
+        words.append(f"{palette.NAMES[palette.NEUTRAL].capitalize()}: left out.")
     if any(((mask == 0) & (person > 0)).any() for mask, person in drawn):
-        words.append("Orange: filled in.")
+        words.append(f"{palette.NAMES[_FILLED].capitalize()}: filled in.")
     return f"{' '.join(words)}\nRead as {sequence.encoding}"
 
 
 def _draw(axes: Axes, mask: Mask, person: Mask, name: str, words: str) -> None:
     picture = np.full((*mask.shape, 3), _BACKGROUND)
     picture[(mask > 0) & (person == 0)] = to_rgb(NEUTRAL)
-    picture[(mask == 0) & (person > 0)] = to_rgb(_FILLED)
+    picture[(mask == 0) & (person > 0)] = to_rgb(palette.hexed(_FILLED))
     picture[(mask > 0) & (person > 0)] = to_rgb(INK)
     axes.imshow(picture, interpolation="nearest")
     axes.set(xticks=[], yticks=[])

@@ -14,10 +14,12 @@ from silpose.core.types import Array
 from silpose.experiments.figures import NEUTRAL, SERIES, TRUE, draw_skeleton, headline, without_ink
 from silpose.motion import CapturedTake
 from silpose.recording import palette
+from silpose.recording.captions import coloured
 from silpose.recording.figure_style import DIM, HAIRLINE, styled
 
 _FRAMES = 6  # of each view
 _APART = 1.1  # metres between them
+_DRAWN = {"the file's own joints": palette.NEUTRAL, "silpose's skeleton": palette.TRUE}
 _ARROWS = 12  # in the view from above
 
 
@@ -41,7 +43,7 @@ def motion_figure(takes: Mapping[str, CapturedTake]) -> Figure:
     grid[0, 2].set_title("path of the hips, from above")
     headline(
         figure, "What is understood of the motion: its sides, its ground, its way",
-        "Grey: the file's own joints. Blue: silpose's skeleton, left limbs light, right ones dark. "
+        f"{coloured(_DRAWN).capitalize()}; left limbs are light, right ones dark. "
         "Arrows: where the person faces",
     )  # fmt: skip
     return figure

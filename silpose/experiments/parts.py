@@ -13,10 +13,16 @@ from silpose.core.types import Metrics, Row
 from silpose.experiments.figures import headline
 from silpose.experiments.setup import Components, prepare
 from silpose.recording import Recording, Result, palette, record_study
-from silpose.recording.captions import in_words
+from silpose.recording.captions import coloured, in_words
 from silpose.recording.figure_style import styled
 
 BODY = "body"
+_LIMBS = {
+    BODY: palette.NEUTRAL,
+    "torso": palette.MODES[2],
+    "arms": palette.MODES[0],
+    "legs": palette.MODES[1],
+}
 
 
 def parts(components: Components) -> Result:
@@ -52,7 +58,7 @@ def parts(components: Components) -> Result:
         title=unit,
         frames_per_second=described.frames_per_second,
         colours={name: _colour(name) for name in series},
-        legend="body (grey), torso (orange), arms (green), legs (purple); left light, right dark",
+        legend=f"{coloured(_LIMBS)}; left light, right dark",
     )
     return Result(
         described.data.name,
@@ -100,6 +106,5 @@ def _style(part: str) -> dict[str, Any]:
 def _colour(part: str) -> palette.Colour:
     """Colour of a body part: a hue for each kind of limb, light on the left, dark on the right."""
     side, _, limb = part.rpartition("_")
-    green, purple, orange, _ = palette.MODES
-    colours = {BODY: palette.NEUTRAL, "arm": green, "leg": purple}
-    return palette.shade(colours.get(limb, orange), side)
+    colour = _LIMBS.get(f"{limb}s" if side else limb, _LIMBS["torso"])
+    return palette.shade(colour, side)

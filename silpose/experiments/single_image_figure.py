@@ -24,7 +24,7 @@ from silpose.experiments.figures import (
     without_ink,
 )
 from silpose.recording import palette
-from silpose.recording.captions import in_words
+from silpose.recording.captions import coloured, in_words
 from silpose.recording.figure_style import styled
 from silpose.silhouette import Camera
 
@@ -81,7 +81,8 @@ def single_image_figure(
     error = with_unit(errors[method], space.metrics[0])
     headline(
         figure, f"Pose from one silhouette: {in_words(method)}, error {error}",
-        "Blue is true, vermilion estimated; left limbs are light, right limbs dark",
+        f"Poses: {coloured({'true': palette.TRUE, 'estimated': palette.ESTIMATED})}; "
+        "left limbs are light, right limbs dark",
     )  # fmt: skip
     return figure
 
@@ -96,7 +97,8 @@ def _plot_norms(axes: Axes, space: PoseSpace, true: Array, estimated: Array) -> 
     varies = error.std() > 0 and norm.std() > 0
     r = np.corrcoef(norm, error)[0, 1] if varies else np.nan
     axes.set_title(
-        f"confidence in the heading; grey: off by more than {HEADING_LIMIT_DEG:g}° "
+        f"confidence in the heading; {palette.NAMES[palette.NEUTRAL]}: off by more than "
+        f"{HEADING_LIMIT_DEG:g}° "
         f"({bad.mean():.0%}); correlation of norm and error {r:.2f}",
         fontsize=9.5,
     )

@@ -24,14 +24,12 @@ from silpose.recording.overlay import log_overlay
 from silpose.recording.silhouette import window_of
 from silpose.recording.stream import recording_stream
 
-_BEFORE = palette.METHODS["ridge"]
+_BEFORE = palette.METHODS["ridge"]  # which the layout names
 _APART = 0.9  # metres between the pose before, that after, and the body
 _FINE = 0.5  # pixels by which a drawn outline may be off
 _CLASSES = [
     (0, "background", palette.CLEAR),
-    (1, "mask and body", palette.MASK),
-    (2, "mask only", palette.TRUE),
-    (3, "body only", palette.ESTIMATED),
+    *((k, name, colour) for k, (name, colour) in enumerate(palette.OVERLAP.items(), 1)),
 ]
 
 

@@ -20,7 +20,10 @@ ESTIMATED: Colour = (213, 94, 0)
 """Vermilion: the estimate that a recording or figure is about."""
 
 MODES: tuple[Colour, ...] = ((0, 158, 115), (204, 121, 167), (230, 159, 0), (86, 180, 233))
-"""Green, purple, orange and sky: modes, and whatever else is neither true nor estimated."""
+"""Green, purple, amber and sky: modes, and whatever else is neither true nor estimated.
+
+Okabe and Ito call the third orange; beside vermilion, people take that for the orange.
+"""
 
 NEUTRAL: Colour = (130, 132, 140)
 """Grey: what is only to be compared with."""
@@ -32,16 +35,21 @@ of purple."""
 DOUBTFUL: Colour = MODES[1]
 """Purple: an estimate that had better not be relied on."""
 
+MASK: Colour = (84, 88, 98)
+"""Grey: the person of a mask."""
+
 NAMES: Mapping[Colour, str] = dict(
     zip(
-        (TRUE, ESTIMATED, *MODES, NEUTRAL, NOTHING),
-        ("blue", "vermilion", "green", "purple", "orange", "sky", "grey", "dark grey"),
+        (TRUE, ESTIMATED, *MODES, NEUTRAL, NOTHING, MASK),
+        ("blue", "vermilion", "green", "purple", "amber", "sky", "grey", "dark grey", "grey"),
         strict=True,
     )
 )
-"""Words for these colours, for titles."""
+"""Words for these colours. Titles and captions take theirs from here."""
 
-MASK: Colour = (84, 88, 98)
+OVERLAP: Mapping[str, Colour] = {"both": MASK, "mask only": TRUE, "body only": ESTIMATED}
+"""Where a mask and a fitted body are."""
+
 EDGE: Colour = MODES[2]
 CLEAR = (0, 0, 0, 0)
 """Where nobody is: the background of the viewer, light or dark."""

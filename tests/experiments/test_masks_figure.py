@@ -25,12 +25,12 @@ def test_the_legend_names_the_colours_that_are_drawn_and_no_others():
     person[2:6, 2:4] = 1
     with_hole, with_speck = person.copy(), person.copy()
     with_hole[3, 3], with_speck[0, 0] = 0, 1
-    said = {"Grey": [], "Orange": []}
+    said = {"Grey": [], "Amber": []}
     for mask in (person, with_hole, with_speck):
         figure = masks_figure(MaskSequence([mask], ["0"], "it", "grey"), [person], None, 4)
         for colour in said:
             said[colour].append(colour in figure.get_supxlabel())
-    assert said == {"Grey": [False, False, True], "Orange": [False, True, False]}
+    assert said == {"Grey": [False, False, True], "Amber": [False, True, False]}
     filled = masks_figure(MaskSequence([with_hole], ["0"], "it", "grey"), [person], None, 4)
     colour = filled.axes[0].images[0].get_array()[3, 3]
-    assert palette.NAMES[tuple(np.round(255 * colour).astype(int))] == "orange"
+    assert palette.NAMES[tuple(np.round(255 * colour).astype(int))] == "amber"

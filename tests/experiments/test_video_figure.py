@@ -38,5 +38,5 @@ def test_of_a_long_film_no_more_panels_are_kept_than_fit(steps):
 
 def test_a_line_below_says_what_has_which_colour(steps):
     figure = contact_sheet_of(steps).figure(ANGLES, "a walk")
-    drawn = "mask (blue), fitted outline (orange), skeleton (vermilion), where doubtful (purple)"
+    drawn = "mask (blue), fitted outline (amber), skeleton (vermilion), where doubtful (purple)"
     assert drawn in figure.get_supxlabel()

@@ -1,5 +1,7 @@
+import ast
 import itertools
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +12,8 @@ from silpose.tracking import STATES
 
 XYZ = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
 HUES = (palette.TRUE, palette.ESTIMATED, *palette.MODES)
+ROOT = Path(__file__).parents[2]
+COLOURED = r"blue|red|orange|amber|yellow|green|cyan|purple|magenta|vermilion|sky|pink|violet|grey"
 DARK, WHITE = (13, 16, 17), (255, 255, 255)  # of the viewer's themes
 
 
@@ -96,3 +100,31 @@ def test_graded_colours_go_from_light_to_dark():
     brightness = [sum(palette.graded(palette.ESTIMATED, k, 5)) for k in range(5)]
     assert brightness == sorted(brightness, reverse=True)
     assert min(-np.diff(brightness)) > 40  # so that two that are next to each other are told apart
+
+
+@pytest.mark.parametrize("package", ["experiments", "recording"])
+def test_titles_and_captions_take_words_for_colours_from_the_palette(package):
+    found = []
+    for file in sorted((ROOT / "silpose" / package).rglob("*.py")):
+        nodes = list(ast.walk(ast.parse(file.read_text())))
+        alone = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}  # docstrings
+        found += [
+            (file.name, node.value)
+            for node in nodes
+            if isinstance(node, ast.Constant) and isinstance(node.value, str)
+            and id(node) not in alone and file.name != "palette.py"
+            and re.search(rf"\b({COLOURED})\b", node.value, re.IGNORECASE)
+        ]  # fmt: skip
+    assert not found
+
+
+@pytest.mark.parametrize("folder", [".", "notebooks", "docs", "docs/guides"])
+def test_documents_name_colours_as_the_palette_does(folder):
+    files = [*(ROOT / folder).glob("*.md"), *(ROOT / folder).glob("*.py")]
+    words = {w.lower() for f in files for w in re.findall(rf"\b({COLOURED})\b", f.read_text())}
+    assert words <= {word for name in palette.NAMES.values() for word in name.split()}
+
+
+def test_no_word_stands_for_two_hues():
+    assert len({palette.NAMES[colour] for colour in HUES}) == len(HUES)
+    assert palette.NAMES[palette.EDGE] == "amber"  # not what people call vermilion

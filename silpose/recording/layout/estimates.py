@@ -11,6 +11,7 @@ from silpose.recording import entity_paths, palette
 from silpose.recording.captions import coloured, in_words
 from silpose.recording.layout.views import (
     FROM_THE_SIDE,
+    JUDGED,
     TRUTH_AND_ESTIMATE,
     Window,
     blueprint,
@@ -71,7 +72,7 @@ def single_image_layout(
 def prediction_layout(frames_per_second: float, window: Window, judged: bool) -> rrb.Blueprint:
     """Lay out poses estimated from masks, without ground truth; with confidence if `judged`."""
     bodies = bodies_view(
-        "estimated pose, purple where it is doubtful; left side light, right side dark",
+        f"{coloured(JUDGED)} pose; left side light, right side dark",
         [entity_paths.ESTIMATED_SKELETON],
         FROM_THE_SIDE,
     )

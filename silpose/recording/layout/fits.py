@@ -21,6 +21,12 @@ from silpose.recording.layout.views import (
     texts_view,
 )
 
+_POSES = {
+    "true": palette.TRUE,
+    "before": palette.METHODS["ridge"],
+    "fitted": palette.ESTIMATED,
+}
+
 
 def fitting_layout(
     shown: Sequence[str],
@@ -53,11 +59,11 @@ def _take(
     """Lay out the take, on the timelines `frame` and `time`."""
     overlap = rrb.Spatial2DView(
         origin=entity_paths.OVERLAP,
-        name="both (grey), mask only (blue), body only (vermilion)",
+        name=coloured(palette.OVERLAP),
         visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:]),
     )
     bodies = bodies_view(
-        "true (blue), before (purple), fitted (vermilion), and the fitted body",
+        f"{coloured(_POSES)}, and the fitted body",
         [
             entity_paths.TRUE_SKELETON,
             entity_paths.ESTIMATED_SKELETON,
@@ -85,7 +91,7 @@ def _iterations(window: Window) -> rrb.Container:
         visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:]),
     )
     bodies = bodies_view(
-        "true pose (blue) and that of this iteration (vermilion)",
+        f"pose: {coloured({'true': palette.TRUE, 'of this iteration': palette.ESTIMATED})}",
         [entity_paths.ITERATED_TRUE_SKELETON, entity_paths.ITERATED_SKELETON],
         FROM_THE_SIDE,
     )

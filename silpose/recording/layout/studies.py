@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import rerun.blueprint as rrb
 
-from silpose.recording import entity_paths
+from silpose.recording import entity_paths, palette
+from silpose.recording.captions import coloured
 from silpose.recording.layout.views import (
     Window,
     bars_view,
@@ -106,7 +107,8 @@ def context_space_layout(frames_per_second: float, window: Window) -> rrb.Bluepr
     """Lay out a silhouette, where its edge points are among all contexts, and the codebook."""
     plane = rrb.Spatial2DView(
         origin=entity_paths.CONTEXT_SPACE,
-        name="shape contexts: all (grey), centres (large), this silhouette's (small)",
+        name=f"shape contexts: {coloured({'all': palette.NEUTRAL})}, centres (large), "
+        "this silhouette's (small)",
         visual_bounds=rrb.VisualBounds2D(x_range=window[:2], y_range=window[2:]),
     )
     seen = rrb.Vertical(

@@ -54,7 +54,7 @@ def tracking_layout(
     tracks = [entity_paths.below(entity_paths.TRACKS, method) for method in methods]
     estimates = rrb.Vertical(
         bodies_view(
-            "true (blue) and estimated poses",
+            f"{coloured({'true': palette.TRUE})} and estimated poses",
             [
                 entity_paths.TRUE_SKELETON,
                 entity_paths.TRACK_NAMES,
@@ -104,7 +104,8 @@ def modes_layout(
     headings = [entity_paths.TRUE_HEADING, *(f"{mode}/heading" for mode in modes[:2])]
     estimates = rrb.Vertical(
         bodies_view(
-            f"true pose (blue) and modes: {coloured(colours)}; the less probable, the thinner",
+            f"{coloured({'true': palette.TRUE})} pose and modes: {coloured(colours)}; "
+            "the less probable, the thinner",
             [entity_paths.TRUE_SKELETON, *(f"{mode}/skeleton" for mode in modes)],
             FROM_THE_SIDE,
         ),

@@ -19,6 +19,7 @@ Window = tuple[float, float, float, float]
 UNIT_SPAN = (0.0, 1.05)
 """Of probabilities and other shares: a little more, so that 1 is seen."""
 
+JUDGED = {"estimated": palette.ESTIMATED, "doubtful": palette.DOUBTFUL}
 TRUTH_AND_ESTIMATE = {"true": palette.TRUE, "estimated": palette.ESTIMATED}
 
 GROUND = rrb.LineGrid3D(
