@@ -10,7 +10,6 @@ from silpose.core.pose_space import ANGLES
 from silpose.recording import entity_paths, palette
 from silpose.recording.stream import FanOut
 
-_WHITE: palette.Colour = (235, 235, 235)
 _SIDES = {side: palette.shade(palette.ESTIMATED, side) for side in ("left", "right")}
 
 
@@ -31,7 +30,7 @@ def log_video_styles(recording: rr.RecordingStream | FanOut, size: tuple[int, ..
         entity_paths.OVERLAID_OUTLINE: rr.LineStrips2D.from_fields(colors=palette.EDGE, radii=thin),
         entity_paths.OVERLAID_SKELETON: rr.LineStrips2D.from_fields(radii=thick),
         entity_paths.CAPTION: rr.Points2D.from_fields(
-            positions=[[0.5 * width, 0.03 * height]], radii=0.1, colors=_WHITE
+            positions=[[0.5 * width, 0.03 * height]], radii=0.1, colors=palette.NEUTRAL
         ),
         entity_paths.FITTED_SKELETON: rr.LineStrips3D.from_fields(radii=0.016),
         entity_paths.PATH: rr.Points3D.from_fields(colors=palette.NEUTRAL, radii=0.015),

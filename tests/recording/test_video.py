@@ -114,3 +114,13 @@ def test_a_live_recording_is_complete_though_it_was_cut_short(tmp_path, steps, h
     words = logged(file, entities.METRICS, "TextDocument:text", static=True)
     assert "the end" in str(words[-1])
     assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize("background", [48, 224])  # of labels in the viewer's themes, grey values
+def test_captions_are_read_in_the_dark_and_in_the_light(recordings, logged, background):
+    ((packed,),) = logged(recordings["video"], entities.CAPTION, "Points2D:colors", static=True)
+    colour = np.array([packed >> 24 & 255, packed >> 16 & 255, packed >> 8 & 255])
+    linear, behind = ((np.array(c) / 255) ** 2.2 for c in (colour, [background] * 3))
+    weights = np.array([0.2126, 0.7152, 0.0722])
+    low, high = sorted(float(weights @ c) + 0.05 for c in (linear, behind))
+    assert high / low > 2.5
