@@ -25,11 +25,12 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.serialisation import State
 
 _LIBRARIES = ("mannequin-x", "numba", "numpy", "opencv-python-headless", "scikit-learn", "scipy")
+_NAME = "known as"  # in a file, so that no copy under another name is believed
 
 
 @dataclass(frozen=True)
 class KnownResults:
-    """Plain values, or arrays, that were computed before, one file each.
+    """Plain values, or arrays, that were computed before, one file each, which holds its name.
 
     Attributes
     ----------
@@ -69,61 +70,49 @@ class KnownResults:
         result : plain value
             Where it cannot be kept, a warning says so.
         """
-        return self._recalled(compute, depends_on, ".json", _read_json, _write_json)
+
+        def as_text() -> State:
+            return {"json": np.array(json.dumps(compute(), default=_plain))}
+
+        if self._of(depends_on).folder is None:
+            return compute()
+        return json.loads(str(self.recall_arrays(as_text, *depends_on, "json")["json"]))
 
     def recall_arrays(self, compute: Callable[[], State], *depends_on: Any) -> State:
         """Return arrays that are known, or compute them, as `recall` does with plain values."""
-        known: State = self._recalled(compute, depends_on, ".npz", read_npz, _write_npz)
-        return known
-
-    def _recalled(
-        self,
-        compute: Callable[[], Any],
-        depends_on: Sequence[Any],
-        suffix: str,
-        read: Callable[[Path], Any],
-        write: Callable[[Path, Any], None],
-    ) -> Any:
-        known = self if self.folder is None else self.depending_on(_code(), *depends_on)
+        known = self._of(depends_on)
         if known.folder is None:
             return compute()
-        file = known.folder / f"{known.given}{suffix}"
+        file = known.folder / f"{known.given}.npz"
         with one_builder(file) as kept:
-            return _kept(file, compute, read, write) if kept else compute()
+            return _kept(file, compute) if kept else compute()
+
+    def _of(self, depends_on: Sequence[Any]) -> Self:
+        return self if self.folder is None else self.depending_on(_code(), *depends_on)
 
 
-def _kept(
-    file: Path,
-    compute: Callable[[], Any],
-    read: Callable[[Path], Any],
-    write: Callable[[Path, Any], None],
-) -> Any:
+def _kept(file: Path, compute: Callable[[], State]) -> State:
     try:
         if file.is_file():
-            return read(file)
+            return _read(file)
     except (OSError, ValueError) as error:
         warnings.warn(f"'{file}' is damaged ({error}): it is made anew", stacklevel=5)
     result = compute()
     try:
-        with writing(file) as temporary:
-            write(temporary, result)
-    except InputError as error:  # such as of a full disk
+        with writing(file) as temporary, temporary.open("wb") as stream:
+            np.savez(stream, **result | {_NAME: np.array(file.stem)})  # type: ignore[arg-type]
+    except (InputError, OSError) as error:  # such as of a full disk
         warnings.warn(f"{error}; the run goes on without it", stacklevel=5)
         return result
-    return read(file)  # now and later the same, to the last digit
+    return _read(file)  # now and later the same, to the last digit
 
 
-def _read_json(file: Path) -> Any:
-    return json.loads(file.read_text())
-
-
-def _write_json(file: Path, result: Any) -> None:
-    file.write_text(json.dumps(result, default=_plain))
-
-
-def _write_npz(file: Path, arrays: State) -> None:
-    with file.open("wb") as stream:  # to a name, NumPy would add a suffix
-        np.savez(stream, **arrays)
+def _read(file: Path) -> State:
+    """Read arrays, whose checksums NumPy's archives hold, unless they are those of other data."""
+    arrays: State = read_npz(file)
+    if str(arrays.pop(_NAME, "")) != file.stem:
+        raise ValueError("it holds another result")
+    return arrays
 
 
 def described(thing: Any) -> Any:
@@ -169,7 +158,8 @@ def described(thing: Any) -> Any:
 @cache
 def _code() -> str:
     """Name the package's own code and the libraries it computes with: others, other results."""
-    files = sorted(Path(__file__).parents[1].rglob("*.py"))
+    every = sorted(Path(__file__).parents[1].rglob("*.*"))
+    files = [file for file in every if file.suffix in (".py", ".yaml", ".npz")]
     code = [hashlib.sha256(file.read_bytes()).hexdigest() for file in files]
     return digest([code, [version(name) for name in _LIBRARIES]])
 

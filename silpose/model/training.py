@@ -198,7 +198,8 @@ def describe_dataset(
         fitted, z = _described(splits, descriptor)
     else:
         compute = partial(_described_state, splits, descriptor)
-        state = known.recall_arrays(compute, "descriptors", descriptor, lengths)
+        seen = [[(take.x, take.offset, take.camera) for take in split] for split in splits]
+        state = known.recall_arrays(compute, "descriptors", descriptor, seen)
         fitted = type(descriptor).from_arrays(state)
         z = np.split(state["z"], np.cumsum(lengths)[:-1])
     rest = iter(z)

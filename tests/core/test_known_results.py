@@ -1,7 +1,7 @@
 import errno
-import json
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from shutil import copyfile
 
 import numpy as np
 import pytest
@@ -40,11 +40,6 @@ def test_arrays_that_were_computed_once_are_known(tmp_path):
         np.testing.assert_array_equal(own["a"], arrays.result["a"])
         assert own["names"].tolist() == ["x", "yz"]
     assert arrays.times == 1
-    (file,) = tmp_path.glob("*.npz")
-    file.write_bytes(file.read_bytes()[:100])
-    with pytest.warns(UserWarning, match=r"is damaged .* made anew"):
-        known.recall_arrays(arrays, "odd masks")
-    assert arrays.times == 2
 
 
 def test_without_a_folder_nothing_is_remembered():
@@ -107,14 +102,44 @@ def test_what_cannot_be_described_is_computed_each_time(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
-def test_a_damaged_file_is_named_and_made_anew(tmp_path):
+def put_folder(file):
+    file.unlink()
+    file.mkdir()
+
+
+@pytest.mark.parametrize(
+    ("spoil", "said"),
+    [
+        (lambda file: file.write_bytes(file.read_bytes()[:100]), "is damaged .* made anew"),
+        (lambda file: file.write_bytes(file.read_bytes().replace(b"7", b"8")), "is damaged"),
+        (lambda file: copyfile(file.with_name("other"), file), "holds another result"),
+        (lambda file: np.savez(file, json=np.array("[8]")), "holds another result"),
+        (put_folder, "goes on without it"),
+    ],
+    ids=["cut off", "a number changed", "another's", "without a name", "a folder"],
+)
+def test_a_damaged_file_is_named_and_made_anew(tmp_path, spoil, said):
     known = KnownResults(tmp_path)
-    known.recall(lambda: [1], "a")
-    (file,) = tmp_path.glob("*.json")
-    file.write_text(file.read_text()[:1])
-    with pytest.warns(UserWarning, match=r"is damaged .* made anew"):
-        assert known.recall(lambda: [2], "a") == [2]
-    assert json.loads(file.read_text()) == [2]
+    known.recall(lambda: [8], "b")
+    (other,) = tmp_path.glob("*.npz")
+    other.rename(tmp_path / "other")
+    known.recall(lambda: [7], "a")
+    (file,) = tmp_path.glob("*.npz")
+    spoil(file)
+    with pytest.warns(UserWarning, match=said):
+        assert known.recall(lambda: [7], "a") == [7]
+    if file.is_file():
+        assert known.recall(lambda: None, "a") == [7]
+
+
+def test_tables_of_the_package_are_its_code(tmp_path, monkeypatch):
+    (tmp_path / "core").mkdir()
+    words = tmp_path / "words.yaml"
+    words.write_text("knee")
+    monkeypatch.setattr(known_results, "__file__", str(tmp_path / "core/known_results.py"))
+    before = known_results._code.__wrapped__()
+    words.write_text("shin")
+    assert known_results._code.__wrapped__() != before
 
 
 def test_of_two_at_once_one_computes(tmp_path):
@@ -141,14 +166,14 @@ def test_a_folder_that_cannot_be_made_is_named(tmp_path):
 
 
 def test_where_a_disk_is_full_the_result_is_there_and_not_kept(tmp_path, monkeypatch):
-    def full(*_):
+    def full(*_, **__):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr("silpose.core.known_results._write_json", full)
+    monkeypatch.setattr("numpy.savez", full)
     known = KnownResults(tmp_path)
     with pytest.warns(UserWarning, match=r"No space left.*goes on without it"):
         assert known.recall(lambda: [1], "a") == [1]
-    assert not list(tmp_path.glob("*.json"))
+    assert not list(tmp_path.glob("*.npz"))
 
 
 @pytest.mark.parametrize("error", [InputError("no takes"), KeyboardInterrupt()])
@@ -158,4 +183,4 @@ def test_what_fails_while_it_is_computed_is_told(tmp_path, error):
 
     with pytest.raises(type(error)):
         KnownResults(tmp_path).recall(compute, "a")
-    assert not list(tmp_path.glob("*.json"))
+    assert not list(tmp_path.glob("*.npz"))

@@ -92,7 +92,7 @@ def test_a_cache_takes_the_place_of_describing(data, described, tmp_path, monkey
     np.testing.assert_array_equal(cached.descriptor.codebook_, described.descriptor.codebook_)
 
 
-@pytest.mark.parametrize("changed", ["data", "descriptor", "frames"])
+@pytest.mark.parametrize("changed", ["data", "descriptor", "frames", "poses"])
 def test_what_descriptors_depend_on_is_described_anew(data, tmp_path, monkeypatch, changed):
     descriptor, known = ShapeContextHistogram(codebook_size=20), KnownResults(tmp_path)
     describe_dataset(data, descriptor, known)
@@ -101,6 +101,8 @@ def test_what_descriptors_depend_on_is_described_anew(data, tmp_path, monkeypatc
         known = known.depending_on("other data")
     elif changed == "descriptor":
         descriptor = ShapeContextHistogram(codebook_size=19)
+    elif changed == "poses":  # such as of an AMC whose ASF was edited
+        data = replace(data, test=[replace(take, x=take.x + 0.1) for take in data.test])
     else:
         data = replace(data, test=[])
     with pytest.raises(TypeError, match="'NoneType' object is not callable"):
