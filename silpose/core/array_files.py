@@ -88,7 +88,7 @@ def wrong_size(stream: IO[bytes], held: int, compressed: bool = True) -> str:
     headers = np.lib.format
     read = headers.read_array_header_1_0 if version == (1, 0) else headers.read_array_header_2_0
     shape, _, dtype = read(stream)
-    if not dtype.hasobject and np.prod(shape, dtype=float) * dtype.itemsize > held:
+    if not dtype.hasobject and np.prod(shape, dtype=float) * dtype.itemsize > held - stream.tell():
         return f"claims shape {shape}, but the file is damaged or truncated"
     return ""
 

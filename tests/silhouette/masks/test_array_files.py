@@ -37,8 +37,33 @@ def test_pickled_objects_are_refused(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["a.npy", "a.npz"])
-@pytest.mark.parametrize("content", [b"", b"text", b"PK\x03\x04 junk", b"\x93NUMPY"])
-def test_damaged_files_are_named(tmp_path, name, content):
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "is incomplete or damaged"),
+        (b"text", "is no array of NumPy"),
+        (b"PK\x03\x04 junk", "is incomplete or damaged"),
+        (b"\x93NUMPY", "holds pickled objects"),
+    ],
+)
+def test_damaged_files_are_named(tmp_path, name, content, said):
     (tmp_path / name).write_bytes(content)
-    with pytest.raises(InputError, match=rf"{name}' (is|holds)"):
+    with pytest.raises(InputError, match=rf"{name}' {said}"):
         read_array_file(tmp_path / name)
+
+
+def test_an_array_that_is_cut_off_is_named(tmp_path):
+    np.save(tmp_path / "a.npy", np.ones((2, 3, 4)))
+    whole = (tmp_path / "a.npy").read_bytes()
+    np.testing.assert_array_equal(read_array_file(tmp_path / "a.npy"), np.ones((2, 3, 4)))
+    (tmp_path / "a.npy").write_bytes(whole[:-8])
+    with pytest.raises(InputError, match=r"damaged \(claims shape \(2, 3, 4\)"):
+        read_array_file(tmp_path / "a.npy")
+
+
+def test_the_only_array_and_one_of_a_usual_name_are_taken(tmp_path):
+    mask, masks = np.ones((3, 4)), np.ones((2, 3, 4))
+    np.savez(tmp_path / "a.npz", x=mask)
+    np.savez(tmp_path / "b.npz", x=0 * masks, masks=masks)
+    np.testing.assert_array_equal(read_array_file(tmp_path / "a.npz"), mask)
+    np.testing.assert_array_equal(read_array_file(tmp_path / "b.npz"), masks)

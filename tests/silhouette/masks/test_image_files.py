@@ -1,5 +1,6 @@
 import io
 import struct
+import sys
 import zlib
 
 import cv2
@@ -47,6 +48,36 @@ def test_frames_that_were_joined_since_they_are_equal_are_repeated(tmp_path, fig
     assert read.frames_per_second == pytest.approx(25)
     for picture, frame in zip(read.pictures, frames, strict=True):
         np.testing.assert_array_equal(picture.pixels, np.asarray(frame))
+
+
+@pytest.mark.parametrize("suffix", [".png", ".jpg"])
+def test_common_kinds_are_decoded_fast(tmp_path, figures, monkeypatch, suffix):
+    monkeypatch.setattr(sys.modules[read_image_file.__module__], "_read_with_pillow", pytest.fail)
+    masks = images(figures)
+    for image in (masks[0], Image.merge("RGB", masks[:3])):
+        image.save(tmp_path / f"mask{suffix}", quality=100, subsampling=0)
+        (picture,) = read_image_file(tmp_path / f"mask{suffix}").pictures
+        np.testing.assert_array_equal(picture.pixels > 127, np.asarray(image) > 127)
+
+
+def test_what_opencv_cannot_decode_is_named(tmp_path, figures):
+    images(figures)[0].save(tmp_path / "mask.png")
+    whole = (tmp_path / "mask.png").read_bytes()
+    at = whole.index(b"IDAT") + 4
+    (tmp_path / "mask.png").write_bytes(whole[:at] + b"\0\0\0\0" + whole[at + 4 :])
+    with pytest.raises(InputError, match="damaged"):
+        read_image_file(tmp_path / "mask.png")
+
+
+def test_frames_of_uneven_times_are_not_repeated(tmp_path, figures):
+    first, *others = images(figures)[:3]
+    first.save(tmp_path / "a.png", save_all=True, append_images=others, duration=[40, 100, 40])
+    assert len(read_image_file(tmp_path / "a.png").pictures) == 3
+
+
+def test_a_single_page_has_its_files_name(tmp_path):
+    cv2.imwrite(str(tmp_path / "a.tif"), np.full((8, 6, 3), 65535, np.uint16))
+    assert [p.name for p in read_image_file(tmp_path / "a.tif").pictures] == ["a.tif"]
 
 
 def test_pages_have_no_rate(tmp_path, figures):

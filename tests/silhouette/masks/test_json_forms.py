@@ -67,6 +67,13 @@ def test_people_of_detectors_that_count_from_0():
     assert "0 is taken for the person, as in COCO counted from 0" in held.doubts[0]
 
 
+def test_people_are_of_the_category_of_that_name():
+    named = [{"id": 7, "name": "person"}, {"id": 1, "name": "car"}]
+    held = records_of({"annotations": of_categories(1, 7), "categories": named}, "it")
+    assert [record["category_id"] for record in held.records] == [7]
+    assert held.doubts == ()
+
+
 def test_categories_without_a_person_are_not_thrown_together():
     assert len(records_of(of_categories(7, 7), "it").records) == 2
     with pytest.raises(InputError, match="it has the categories '7', '9', and none of them"):
@@ -91,7 +98,10 @@ def test_other_forms_are_called_by_their_names(message):
         records_of(OTHERS[message], "it")
 
 
-@pytest.mark.parametrize("content", [None, 3, "text", [], {}, {"a": 1}, {"0": 3}, [1], [{"a": 1}]])
+@pytest.mark.parametrize(
+    "content",
+    [None, 3, "text", [], {}, {"a": 1}, {"a": {"1": RUNS}}, {"0": 3}, [1], [{"a": 1}]],
+)
 def test_what_holds_no_masks_is_refused(content):
     with pytest.raises(InputError, match=r"it holds no masks|item 0 of it is no mask"):
         records_of(content, "it")
