@@ -110,6 +110,12 @@ def test_json_without_masks_is_named(tmp_path, text, message):
         read_masks(tmp_path / "masks.json")
 
 
+def test_masks_of_one_image_have_one_size(tmp_path, figures):
+    masks = (figures[0], figures[0][:, :-1])
+    with pytest.raises(InputError, match="has masks of several sizes"):
+        read(tmp_path, [{"image_id": 1, "segmentation": runs(mask)} for mask in masks])
+
+
 def test_identities_must_be_numbers(tmp_path, figures):
     with pytest.raises(InputError, match="the identity 'bob': give each person a number"):
         read(tmp_path, [{"image_id": 0, "track_id": "bob", "segmentation": runs(figures[0])}])

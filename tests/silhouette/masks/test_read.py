@@ -5,8 +5,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from PIL import Image
 
-from silpose.silhouette.masks import MaskReader, read_masks
+from silpose.core.errors import InputError
+from silpose.silhouette.masks import MaskReader, MaskSequence, read_masks
 
 
 @st.composite
@@ -68,3 +70,28 @@ def test_a_stream_gives_the_masks_of_an_array(drawn, encoding):
         reader = MaskReader()
         for picture, mask in zip(pictures, drawn, strict=True):
             np.testing.assert_array_equal(reader.step(picture), mask)
+
+
+HALF = np.repeat([0, 1], 32).reshape(8, 8).astype(np.uint8)
+RUNS = {"size": [8, 8], "counts": ways.run_lengths_of(HALF)}
+
+
+@pytest.mark.parametrize(
+    "source",
+    [HALF, [HALF], iter([HALF]), Image.fromarray(255 * HALF), RUNS, [RUNS], read_masks([HALF])],
+    ids=["array", "list", "iterator", "image", "mapping", "records", "masks"],
+)
+def test_whatever_holds_a_mask_is_read(source):
+    (mask,) = read_masks(source)
+    np.testing.assert_array_equal(mask, HALF)
+    if isinstance(source, MaskSequence):
+        assert read_masks(source) is source
+
+
+@pytest.mark.parametrize(
+    ("source", "said"),
+    [(None, "no masks, but None"), (3, "int 3 holds no masks"), ([], "the list holds no masks")],
+)
+def test_what_holds_none_is_refused(source, said):
+    with pytest.raises(InputError, match=said):
+        read_masks(source)

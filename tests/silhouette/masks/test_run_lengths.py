@@ -55,8 +55,16 @@ def test_any_other_text_is_refused_or_fills_the_mask(text, height, width):
         {"size": [4, 5], "counts": None},
         {"size": [4, 5], "counts": [[1, 2], [3]]},
         {"size": [256, 256], "counts": "abc"},
+        {"size": [1, 1], "counts": "1P"},  # ends within a number
+        {"size": [1, 1], "counts": "Q" + 11 * "P" + "0"},  # 1, at length
     ],
 )
 def test_runs_that_do_not_fit_are_refused(item):
     with pytest.raises(InputError, match="mask has run"):
         mask_of_run_lengths(item, "mask")
+
+
+@pytest.mark.parametrize("size", [[0, 5], [10**6, 10**6]])
+def test_sizes_that_cannot_be_are_refused(size):
+    with pytest.raises(InputError, match="mask has a size of"):
+        mask_of_run_lengths({"size": size, "counts": [size[0] * size[1]]}, "mask")

@@ -81,10 +81,7 @@ class Archive:
         """Read an array after a look at its size, which its header may only claim."""
         archive = self._stored.zip
         assert archive is not None  # it is open
-        named = [m for m in archive.infolist() if m.filename in (key, f"{key}.npy")]
-        if not named:
-            raise KeyError(key)
-        member = named[0]
+        member = next(m for m in archive.infolist() if m.filename in (key, f"{key}.npy"))
         with archive.open(member) as stream:
             if wrong := wrong_size(stream, member.file_size):
                 raise self.refuse(f"'{key}' {wrong}; split it into shorter takes")

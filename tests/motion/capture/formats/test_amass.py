@@ -1,5 +1,7 @@
 """AMASS files are written here in its layout: there are none that may be shared."""
 
+import sys
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -134,7 +136,7 @@ def test_bad_files_are_named_with_their_key(tmp_path, small_amass, message):
 @pytest.mark.parametrize("joints", [22, 24, 52])
 @pytest.mark.parametrize("kind", ["quaternions", "two columns", "two columns, by rows", "matrices"])
 def test_other_rotations_are_refused_with_how_to_convert_them(tmp_path, small_amass, joints, kind):
-    turns = Rotation.random(9 * joints, random_state=np.random.default_rng(0))
+    turns = Rotation.random(8 * joints, random_state=np.random.default_rng(0))
     matrices = turns.as_matrix()
     values = {
         "quaternions": turns.as_quat(),
@@ -142,7 +144,7 @@ def test_other_rotations_are_refused_with_how_to_convert_them(tmp_path, small_am
         "two columns, by rows": matrices[:, :, :2],
         "matrices": matrices,
     }[kind]
-    for shape in ((9, -1), (9, joints, *values.shape[1:])):
+    for shape in ((8, -1), (8, joints, *values.shape[1:])):
         small_amass(tmp_path / "a.npz", poses=values.reshape(shape))
         with pytest.raises(
             InputError, match=rf"no axis-angles.* {kind.split(',')[0]}.*{joints}, 3"
@@ -203,4 +205,11 @@ def test_no_frames_in_two_arrays_are_refused(tmp_path, shape):
     arrays = {"root_orient": np.zeros(shape), "pose_body": np.zeros(shape)}
     np.savez(file, trans=np.zeros((0, 3)), mocap_framerate=30, **arrays)
     with pytest.raises(InputError, match=r"'root_orient' has shape"):
+        read_amass(file)
+
+
+def test_more_frames_than_fit_into_memory_are_refused(tmp_path, small_amass, monkeypatch):
+    file = small_amass(tmp_path / "a.npz", some_turns())
+    monkeypatch.setattr(sys.modules[read_amass.__module__], "LARGEST_SIZE", 100)
+    with pytest.raises(InputError, match="5 frames, more than fit into memory"):
         read_amass(file)

@@ -4,6 +4,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from silpose.core.errors import InputError
+from silpose.motion.capture.formats import text_file
 from silpose.motion.capture.formats.text_file import number, read_lines, shown
 
 
@@ -17,6 +19,15 @@ def test_encodings_and_ends_of_lines(tmp_path, encoding, end):
 def test_latin_1(tmp_path):
     (tmp_path / "a").write_bytes("größe".encode("latin-1"))
     assert read_lines(tmp_path / "a", "BVH file") == (["größe"], False)
+
+
+def test_what_is_too_large_or_something_else_is_refused(tmp_path, monkeypatch):
+    (tmp_path / "a.bvh").write_text("<!DOCTYPE html><html>")
+    with pytest.raises(InputError, match=r"a\.bvh: is no BVH file but"):
+        read_lines(tmp_path / "a.bvh", "BVH file")
+    monkeypatch.setattr(text_file, "LARGEST", 10)
+    with pytest.raises(InputError, match="more than 0; split it"):
+        read_lines(tmp_path / "a.bvh", "BVH file")
 
 
 @settings(deadline=None)
