@@ -40,12 +40,12 @@ class Found:
     notes: tuple[str, ...] = ()
 
 
-def find_pictures(path: Path, options: MaskSource) -> Found:
+def find_pictures(source: str | os.PathLike[str], options: MaskSource) -> Found:
     """Read the pictures behind a path, of whatever kind.
 
     Parameters
     ----------
-    path : Path
+    source : path
     options : MaskSource
         Used where files of a folder have to be told apart.
 
@@ -54,6 +54,9 @@ def find_pictures(path: Path, options: MaskSource) -> Found:
     InputError
         If nothing can be read there; it says what to do.
     """
+    if not os.fspath(source):  # which would be the current folder, like "."
+        raise InputError("the path of the masks is empty: give that of a folder or file")
+    path = Path(source)
     try:
         path.exists()
     except (OSError, ValueError) as error:  # too long, or with a null character
@@ -66,9 +69,7 @@ def find_pictures(path: Path, options: MaskSource) -> Found:
 
 def _find_path(path: Path, options: MaskSource) -> Found:
     name = f"'{path}'"
-    if not path.parts:
-        raise InputError("the path of the masks is empty: give that of a folder or file")
-    if path.parts[0].startswith("~") and not path.exists():
+    if path.parts and path.parts[0].startswith("~") and not path.exists():
         path = expanded(path)
     if path.is_dir():
         return _find_folder(path, options)

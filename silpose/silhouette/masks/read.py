@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -80,7 +79,7 @@ def _find(source: Any, options: MaskSource) -> Found:
     if source is None:
         raise InputError(f"there are no masks, but None: {WANTED}")
     if isinstance(source, str | os.PathLike):
-        return find_pictures(Path(source), options)
+        return find_pictures(source, options)
     if isinstance(source, Image.Image):
         return Found(Animation(picture_of_item(source, 0, "the image")), "the image")
     if isinstance(source, Mapping):
@@ -104,7 +103,7 @@ def _find_items(items: list[Any], options: MaskSource) -> Found:
     pictures = []
     for position, item in enumerate(items):
         if isinstance(item, str | os.PathLike):
-            pictures += find_pictures(Path(item), options).animation.pictures
+            pictures += find_pictures(item, options).animation.pictures
         else:
             pictures += picture_of_item(item, position, name)
     return Found(Animation(pictures), name)

@@ -51,8 +51,14 @@ def test_photos_beside_masks_are_left_out_and_named(folder_of, figures, photo):
     ):
         read = read_masks(folder)
     assert len(read) == 6
-    assert read.ignored[0] == "0.jpg: look like no masks"
+    assert read.ignored == tuple(f"{k}.jpg: look like no masks" for k in range(6))
     np.testing.assert_array_equal(read.masks, figures)
+
+
+def test_of_two_kinds_that_look_like_no_masks_the_larger_is_taken(folder_of, figures):
+    folder = folder_of(bright(figures[:2], "a_{}.png") | bright(figures[:3], "b_{}.png"))
+    chosen = choose_files(folder, lambda files: False)
+    assert names(chosen.files) == ["b_0.png", "b_1.png", "b_2.png"]
 
 
 def test_a_cover_beside_masks_is_left_out(folder_of, figures, photo):

@@ -11,7 +11,7 @@ LINES = {"person": "2001 2", "car": "1005 1"}
 def test_people_are_read_frame_by_frame(tmp_path):
     file = tmp_path / "0002.txt"
     shown = ((1, "person"), (1, "car"), (2, "car"), (4, "person"))
-    file.write_text("\n".join(f"{frame} {LINES[kind]} 2 3 222" for frame, kind in shown))
+    file.write_text("\n\n".join(f"{frame} {LINES[kind]} 2 3 222" for frame, kind in shown))
     assert is_mots(file)
     masks = read_masks(file).masks
     expected = np.array([[0, 1, 0], [0, 1, 0]])

@@ -84,3 +84,39 @@ def test_masks_are_told_from_photos_whose_names_have_nothing_in_common(tmp_path,
         f"{k}_jpg.rf.{k}{'abcdefgh'[k:]}_mask.png" for k in range(len(figures))
     ]
     assert f"{len(figures)} left out that look like no masks" in found.doubts[0]
+
+
+def test_a_pattern_chooses_files_in_natural_order(folder_of, figures):
+    folder = folder_of({f"{k}.png": 255 * figures[0] for k in (10, 9, 2)})
+    names = [picture.name for picture in find(folder / "*.png").animation.pictures]
+    assert names == ["2.png", "9.png", "10.png"]
+    with pytest.raises(InputError, match="there is no file or folder"):
+        find(folder / "*.bmp")
+
+
+def test_a_folder_of_folders_names_two_or_reads_the_only_one(folder_of, figures):
+    folder_of({})
+    for name in ("a", "b"):
+        folder = folder_of({"0.png": 255 * figures[0]}, f"masks/{name}").parent
+        if name == "a":
+            assert find(folder).notes == (f"the masks are in '{folder / 'a'}'",)
+    with pytest.raises(InputError, match=r"folders of them, such as .*a' and .*b': give one"):
+        find(folder)
+
+
+def test_a_folder_of_several_takes_names_them(tmp_path, figures):
+    np.save(tmp_path / "a.npy", np.stack(figures))
+    (tmp_path / "b.json").write_text("[]")
+    with pytest.raises(InputError, match=r"holds 2 takes, 'a\.npy', 'b\.json': give one"):
+        find(tmp_path)
+    (tmp_path / "b.json").unlink()
+    np.save(tmp_path / "c.npy", figures[0])
+    with pytest.raises(InputError, match=r"holds 2 takes, 'a\.npy' of 6 masks: give one"):
+        find(tmp_path)
+
+
+def test_the_current_folder_is_no_empty_path(folder_of, figures, monkeypatch):
+    monkeypatch.chdir(folder_of({"0.png": 255 * figures[0]}))
+    assert len(find(".").animation.pictures) == 1
+    with pytest.raises(InputError, match="the path of the masks is empty"):
+        find_pictures("", MaskSource())

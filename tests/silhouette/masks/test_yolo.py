@@ -5,6 +5,7 @@ import pytest
 from silpose.core.errors import InputError
 from silpose.silhouette.mask_tree import is_tree
 from silpose.silhouette.masks import read_masks
+from silpose.silhouette.masks.yolo import is_yolo, yolo_files
 
 HEIGHT, WIDTH = 60, 40
 SQUARE = "0.25 0.2 0.75 0.2 0.75 0.8 0.25 0.8"  # columns 10 to 29, rows 12 to 47
@@ -84,3 +85,19 @@ def test_without_the_picture_a_size_is_asked_for(dataset):
     (dataset / "images" / "10.jpg").write_bytes(b"no picture")
     with pytest.raises(InputError, match=r"10\.jpg' cannot be read"):
         read_masks(dataset / "labels")
+
+
+@pytest.mark.parametrize(
+    "text", ["person 0.1 0.2 0.3 0.4", "0 5 0.2 0.3 0.4", "0 a b c d", "\n", "0 0.1 0.2"]
+)
+def test_other_texts_are_none_of_yolo(tmp_path, text):
+    (tmp_path / "1.txt").write_text(text)
+    assert not is_yolo(tmp_path / "1.txt")
+    (tmp_path / "2.txt").write_text(f"0 {SQUARE}")
+    assert yolo_files(tmp_path) == []
+
+
+def test_empty_lines_are_passed_over(dataset):
+    expected = read_masks(dataset).masks
+    (dataset / "labels" / "2.txt").write_text(f"0 {SQUARE}\n\n")
+    np.testing.assert_array_equal(read_masks(dataset).masks, expected)
