@@ -2,6 +2,7 @@ import warnings
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from silpose.core.errors import InputError
 from silpose.silhouette import MaskReader, MaskSource
@@ -73,3 +74,10 @@ def test_nothing_is_learnt_from_a_frame_that_is_refused(figures, kind):
         reader.step(odd)
     assert len(str(refused.value)) < 400
     np.testing.assert_array_equal(reader.step(figures[1]), figures[1])
+
+
+def test_an_image_of_several_frames_is_refused(tmp_path, figures):
+    first, other = (Image.fromarray(255 * mask) for mask in figures[:2])
+    first.save(tmp_path / "a.png", save_all=True, append_images=[other])
+    with pytest.raises(InputError, match="frame 0 of the stream holds 2 pictures"):
+        MaskReader().step(Image.open(tmp_path / "a.png"))

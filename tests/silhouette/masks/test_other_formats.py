@@ -2,6 +2,7 @@ import pytest
 
 from silpose.core.errors import InputError
 from silpose.silhouette.masks import read_masks
+from silpose.silhouette.masks.other_formats import why_no_masks
 
 FORMS = [
     ("a.pkl", "holds pickled objects"),
@@ -25,6 +26,11 @@ def test_what_is_not_read_is_named_with_what_to_do(tmp_path, name, message):
         read_masks(below / name)
     with pytest.raises(InputError, match=rf"holds no masks; '.*{name}' {message}"):
         read_masks(tmp_path)
+
+
+def test_of_a_folder_without_such_files_nothing_is_said(tmp_path):
+    (tmp_path / "a.png").write_bytes(b"")
+    assert why_no_masks(tmp_path) is None
 
 
 def test_the_most_frequent_kind_is_named(tmp_path):

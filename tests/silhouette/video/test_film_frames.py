@@ -118,6 +118,17 @@ def test_a_film_that_is_cut_off_is_said(tmp_path):
         list(FilmFrames(file, 960))
 
 
+@pytest.mark.filterwarnings("ignore")  # it is shorter than announced
+def test_a_film_ends_where_its_pictures_change_their_size(tmp_path, monkeypatch):
+    film = FilmFrames(write_film(tmp_path / "a.mp4", grey([90] * 3)), 960)
+    pictures = iter([*grey([90]), *grey([90], height=30), *grey([90])])
+    capture = SimpleNamespace(
+        read=lambda: (True, next(pictures)), get=lambda key: 0.0, release=lambda: None
+    )
+    monkeypatch.setattr(film_frames, "open_capture", lambda source: capture)
+    assert len(list(film)) == 1
+
+
 def test_frames_at_uneven_times_have_them(tmp_path):
     durations = [40, 40, 120, 40, 200, 40, 40]
     images = [Image.fromarray(picture) for picture in grey(range(0, 210, 30))]
