@@ -14,7 +14,7 @@ from silpose.core.skeleton import ANGLES
 from silpose.motion import Motion, MotionFolder
 from silpose.motion.bvh_export import save_bvh
 from silpose.motion.capture.options import CaptureOptions
-from silpose.motion.capture.take import read_take
+from silpose.motion.capture.take import _first_frame, read_take
 
 
 def refusal(walk, folder, **options):
@@ -178,6 +178,19 @@ def test_hands_without_length(tmp_path):
     assert file.read_text().count("OFFSET 0 0 0\n") == 2
     take = read_take(file, CaptureOptions())
     assert np.isfinite(take.angles).all() and take.report.notes == ()
+
+
+def test_legs_without_length_are_refused(tmp_path):
+    WalkFile(frames=12).write(tmp_path / "a.bvh")
+    text = (tmp_path / "a.bvh").read_text()
+    (tmp_path / "a.bvh").write_text(re.sub(r"OFFSET .*", "OFFSET 0 0 0", text))
+    with pytest.raises(InputError, match=r"a\.bvh: its legs have no length"):
+        read_take(tmp_path / "a.bvh", CaptureOptions())
+
+
+@pytest.mark.parametrize(("dropped", "first"), [(0, 0), (1, 1), (2, 4), (5, 8)])
+def test_frames_after_a_rest_pose_stay_in_step(dropped, first):
+    assert _first_frame(dropped, 120.0, 30.0) == first
 
 
 def test_the_source_is_upright_and_in_metres(tmp_path):

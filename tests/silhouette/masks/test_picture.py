@@ -34,3 +34,13 @@ def test_opaque_is_the_highest_value(kind):
 def test_alpha_is_the_last_of_two_or_four_channels():
     assert Picture(np.zeros((2, 3, 3)), "a").alpha is None
     assert Picture(np.zeros((2, 3, 4)), "a").alpha.shape == (2, 3)
+
+
+def test_truth_values_numbers_from_0_and_alpha(figures):
+    mask = figures[0]
+    seen = mask > 0
+    assert compact(Picture(np.dstack([seen, seen, ~seen]), "a")).pixels.ndim == 3
+    for grey in (seen, mask):
+        np.testing.assert_array_equal(compact(Picture(np.dstack([grey] * 3), "a")).pixels, grey)
+    cut_out = np.dstack([mask, mask, mask, 255 * mask])
+    np.testing.assert_array_equal(compact(Picture(cut_out, "a")).pixels, cut_out)

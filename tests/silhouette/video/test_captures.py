@@ -21,5 +21,11 @@ def test_what_cannot_be_opened_is_named(source, words, capfd):
     assert capfd.readouterr().err == ""
 
 
+def test_an_empty_film_is_named(tmp_path):
+    (tmp_path / "a.mp4").write_bytes(b"")
+    with pytest.raises(InputError, match=r"a\.mp4' is empty"):
+        open_capture(tmp_path / "a.mp4")
+
+
 def test_names():
     assert [name_of(source) for source in (0, "rtsp://door")] == ["camera 0", "'rtsp://door'"]
