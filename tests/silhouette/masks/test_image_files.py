@@ -6,7 +6,7 @@ import zlib
 import cv2
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, UnidentifiedImageError
 
 from silpose.core.errors import InputError
 from silpose.silhouette.masks.image_files import read_image_file, read_photograph
@@ -75,7 +75,11 @@ def test_frames_of_uneven_times_are_not_repeated(tmp_path, figures):
     assert len(read_image_file(tmp_path / "a.png").pictures) == 3
 
 
-def test_a_single_page_has_its_files_name(tmp_path):
+def test_a_single_page_has_its_files_name(tmp_path, monkeypatch):
+    def unknown(*_):
+        raise UnidentifiedImageError
+
+    monkeypatch.setattr(sys.modules[read_image_file.__module__], "_opened", unknown)
     cv2.imwrite(str(tmp_path / "a.tif"), np.full((8, 6, 3), 65535, np.uint16))
     assert [p.name for p in read_image_file(tmp_path / "a.tif").pictures] == ["a.tif"]
 
