@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 
 from filelock import FileLock
@@ -29,15 +30,20 @@ def one_builder(file: Path) -> Iterator[bool]:
         file.parent.mkdir(parents=True, exist_ok=True)
         lock.acquire()
     except (OSError, NotImplementedError) as error:  # the latter of file systems without locks
-        reason = error.strerror if isinstance(error, OSError) else "it has no locks"
-        warnings.warn(
-            f"cannot write to '{file.parent}' ({reason}): what is computed is not kept; choose "
-            "another dataset.cache",
-            stacklevel=2,
-        )
+        _warn(file.parent, str(error.strerror) if isinstance(error, OSError) else "it has no locks")
         yield False
         return
     try:
         yield True
     finally:
         lock.release()
+
+
+@cache
+def _warn(folder: Path, reason: str) -> None:
+    """Warn once: a run has several files in the same folder."""
+    warnings.warn(
+        f"cannot write to '{folder}' ({reason}): what is computed is not kept; choose another "
+        "dataset.cache",
+        stacklevel=5,
+    )
