@@ -49,7 +49,7 @@ def convex_hull(points: Array, hull: Indices, order: Indices) -> int:
 
 @compiled()
 def _outer(points: Array, order: Indices) -> int:
-    """Write the points that are not within the octagon from left to right, return their number."""
+    """Write the points that are not within the octagon, by x and y, return their number."""
     octagon = _octagon(points)
     count = 0
     for k in range(len(points)):
@@ -63,7 +63,10 @@ def _outer(points: Array, order: Indices) -> int:
                 break
         if outer:
             place = count
-            while place > 0 and points[order[place - 1], 0] > x:
+            while place > 0:
+                before_x, before_y = points[order[place - 1], 0], points[order[place - 1], 1]
+                if before_x < x or (before_x == x and before_y <= y):
+                    break
                 order[place] = order[place - 1]
                 place -= 1
             order[place] = k
