@@ -154,7 +154,7 @@ from mediapipe import solutions
 film, first, last, beginning = cv2.VideoCapture(sys.argv[1]), *map(int, sys.argv[2:])
 for _ in range(first):
     film.grab()
-with solutions.pose.Pose(model_complexity=0) as pose:
+with solutions.pose.Pose() as pose:
     for count in range(last - first + 1):
         if count == beginning:
             started = time.perf_counter()
@@ -165,7 +165,7 @@ print((count + 1 - beginning) / (time.perf_counter() - started))
 
 
 def mediapipe_rate(environment, file, first=0, last=0):
-    """Measure MediaPipe Pose likewise, decoding included."""
+    """Measure MediaPipe Pose likewise, decoding included, with the model that its wheel carries."""
     last = last or int(cv2.VideoCapture(str(file)).get(cv2.CAP_PROP_FRAME_COUNT)) - 1
     given = [str(value) for value in (file, first, last, BEGINNING)]
     command = [Path(environment) / "bin" / "python", "-c", MEDIAPIPE, *given]
