@@ -25,7 +25,7 @@ from silpose.core.pose_space import PoseSpace
 from silpose.core.serialisation import State
 
 _LIBRARIES = ("mannequin-x", "numba", "numpy", "opencv-python-headless", "scikit-learn", "scipy")
-_NAME = "known as"  # in a file, so that no copy under another name is believed
+_NAME = "known as"  # in a file, so that a copy under another name is not used
 
 
 @dataclass(frozen=True)
@@ -74,21 +74,22 @@ class KnownResults:
         def as_text() -> State:
             return {"json": np.array(json.dumps(compute(), default=_plain))}
 
-        if self._of(depends_on).folder is None:
-            return compute()
-        return json.loads(str(self.recall_arrays(as_text, *depends_on, "json")["json"]))
+        known = self._of(*depends_on, "json")
+        return compute() if known.folder is None else json.loads(str(known._state(as_text)["json"]))
 
     def recall_arrays(self, compute: Callable[[], State], *depends_on: Any) -> State:
         """Return arrays that are known, or compute them, as `recall` does with plain values."""
-        known = self._of(depends_on)
-        if known.folder is None:
-            return compute()
-        file = known.folder / f"{known.given}.npz"
+        known = self._of(*depends_on)
+        return compute() if known.folder is None else known._state(compute)
+
+    def _of(self, *depends_on: Any) -> Self:
+        return self if self.folder is None else self.depending_on(_code(), *depends_on)
+
+    def _state(self, compute: Callable[[], State]) -> State:
+        assert self.folder is not None
+        file = self.folder / f"{self.given}.npz"
         with one_builder(file) as kept:
             return _kept(file, compute) if kept else compute()
-
-    def _of(self, depends_on: Sequence[Any]) -> Self:
-        return self if self.folder is None else self.depending_on(_code(), *depends_on)
 
 
 def _kept(file: Path, compute: Callable[[], State]) -> State:

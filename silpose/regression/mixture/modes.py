@@ -76,11 +76,11 @@ def bounded(means: Array, variances: Array, known: Array) -> tuple[Array, Array]
     known : ndarray, shape (n,)
         Probability that some component is right.
     """
-    trust = np.minimum(known / FORGOTTEN, 1)[:, None, None]
-    if (trust == 1).all():
+    share = np.minimum(known / FORGOTTEN, 1)[:, None, None]
+    if (share == 1).all():
         return means, variances
-    spread = trust * variances + (1 - trust) * (1 + trust * means**2)
-    return trust * means, np.where(trust == 1, variances, spread)
+    spread = share * variances + (1 - share) * (1 + share * means**2)
+    return share * means, np.where(share == 1, variances, spread)
 
 
 def calibrated(weights: Array, exponent: float) -> Array:
